@@ -1,0 +1,96 @@
+// What an algorithm is: a pure function from points and a context to a solution, and how it introduces itself.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/interval.h"
+#include "geometry/parameters.h"
+#include "geometry/point.h"
+#include "geometry/triangulation.h"
+
+namespace mwt {
+
+/// The algorithm does not take this instance (too many points, not in convex position, ...). Not a failure: the
+/// message says what it would take.
+class NotApplicable : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One flip: `removed` was replaced by `added`; gain > 0 is how much shorter the new edge is (for display; the decision
+/// itself was exact).
+struct Flip {
+  Edge removed;
+  Edge added;
+  double gain = 0;
+};
+
+/// What the caller gives an algorithm besides the points, and where it reports on its work.
+class Context {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  std::uint64_t seed = 1;
+  int threads = 1;
+  Parameters parameters;                      ///< complete: every declared parameter has a value
+  std::optional<Clock::time_point> deadline;  ///< soft: return the best valid triangulation found by then
+  std::optional<Triangulation> start;         ///< a given triangulation to start from, already checked
+  std::function<void(const std::string& stage, double done)> progress;  ///< optional; done in [0, 1]
+  std::vector<std::pair<std::string, double>> phases;                   ///< seconds per named phase, in order
+
+  [[nodiscard]] bool deadline_passed() const { return deadline && Clock::now() >= *deadline; }
+};
+
+/// Adds the lifetime of this object to context.phases under `name`.
+class ScopedPhase {
+ public:
+  ScopedPhase(Context& context, std::string name) : context_(context), name_(std::move(name)) {}
+  ~ScopedPhase() {
+    const std::chrono::duration<double> elapsed = Context::Clock::now() - start_;
+    context_.phases.emplace_back(std::move(name_), elapsed.count());
+  }
+  ScopedPhase(const ScopedPhase&) = delete;
+  ScopedPhase& operator=(const ScopedPhase&) = delete;
+
+ private:
+  Context& context_;
+  std::string name_;
+  Context::Clock::time_point start_ = Context::Clock::now();
+};
+
+struct Solution {
+  Triangulation triangulation;
+  std::optional<Interval> optimum;     ///< certified bounds on the weight of a minimum weight triangulation
+  std::optional<std::string> count;    ///< exact number of triangulations, decimal
+  std::vector<Flip> flips;             ///< trace, for algorithms that flip
+  std::map<std::string, double> counters{};  ///< what was done, by snake_case name
+  bool stopped_early = false;          ///< the deadline cut the work short
+};
+
+using AlgorithmFunction = Solution (*)(Points points, Context& context);
+
+enum class Exactness { heuristic, exact };
+
+/// A registry entry.
+struct AlgorithmInfo {
+  std::string name;
+  std::string summary;    ///< one line
+  std::string source;     ///< citation, or the report's section
+  std::string guarantee;  ///< the proven bound on alpha, with its source, or "none known"
+  std::string time;       ///< e.g. "O(n log n)"
+  std::string space;
+  Exactness exactness = Exactness::heuristic;
+  Index largest_n = 0;  ///< largest sensible n: studies go no further
+  std::vector<ParameterInfo> parameters;
+  AlgorithmFunction function = nullptr;
+};
+
+}  // namespace mwt

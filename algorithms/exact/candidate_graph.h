@@ -1,0 +1,30 @@
+// Which edges may still belong to a minimum weight triangulation, in order around every vertex.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace mwt {
+
+/// The graph that the LMT-skeleton hands to the face solver: halfedges in compressed rows, one row (star) per vertex.
+///
+/// Properties:
+///   (1) each edge stands in both ends' stars; no segment with a point in its interior, no edge twice;
+///   (2) each star is in counter-clockwise cyclic order, exact, starting anywhere;
+///   (3) some minimum weight triangulation uses candidates only and contains every certain edge;
+///   (4) no candidate crosses a certain edge; hull edges (between neighbours on the boundary) are certain.
+struct CandidateGraph {
+  Points points;
+  std::vector<std::uint32_t> first;   ///< star of v: halfedges first[v] .. first[v + 1]; size n + 1
+  std::vector<Index> target;          ///< the other end of each halfedge
+  std::vector<std::uint8_t> certain;  ///< 1 if the edge is known to be in the minimum weight triangulation
+
+  [[nodiscard]] std::span<const Index> star(Index v) const {
+    return std::span(target).subspan(first[v], first[v + 1] - first[v]);
+  }
+};
+
+}  // namespace mwt

@@ -1,0 +1,23 @@
+#include "algorithms/registry.h"
+
+#include "geometry/error.h"
+
+namespace mwt {
+
+// Each algorithm's folder has a header that declares its entry: `AlgorithmInfo x_entry();`.
+std::span<const AlgorithmInfo> algorithms() {
+  static const std::vector<AlgorithmInfo> entries = {
+  };
+  return entries;
+}
+
+const AlgorithmInfo& find_algorithm(const std::string& name) {
+  std::string known;
+  for (const AlgorithmInfo& entry : algorithms()) {
+    if (entry.name == name) return entry;
+    known += (known.empty() ? "" : ", ") + entry.name;
+  }
+  throw InputError("unknown algorithm '" + name + "'; known: " + known);
+}
+
+}  // namespace mwt

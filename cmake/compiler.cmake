@@ -1,0 +1,22 @@
+# The language, the warnings, the sanitizers: the same for every floor.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+add_library(mwt_compiler INTERFACE)
+target_include_directories(mwt_compiler INTERFACE ${PROJECT_SOURCE_DIR})
+# No contraction of a*b+c: the same points and the same error bounds on every platform.
+target_compile_options(mwt_compiler INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wpedantic)
+if(MWT_WARNINGS_AS_ERRORS)
+  target_compile_options(mwt_compiler INTERFACE -Werror)
+endif()
+if(MWT_SANITIZE)
+  target_compile_options(mwt_compiler INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(mwt_compiler INTERFACE -fsanitize=address,undefined)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()

@@ -1,0 +1,22 @@
+# One test program per floor, from the x_test.cpp files beside the code. Suites named ...Slow carry the label `slow`.
+include(GoogleTest)
+
+function(mwt_add_tests floor)
+  file(GLOB sources CONFIGURE_DEPENDS ${floor}/*_test.cpp ${floor}/*/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${floor}_test ${sources})
+  target_link_libraries(${floor}_test PRIVATE ${ARGN} GTest::gtest_main)
+  target_compile_definitions(${floor}_test PRIVATE MWT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${floor}_test TEST_PREFIX ${floor}. TEST_FILTER "-*Slow*" DISCOVERY_TIMEOUT 120
+                       PROPERTIES LABELS ${floor} TIMEOUT 600)
+  gtest_discover_tests(${floor}_test TEST_PREFIX ${floor}. TEST_FILTER "*Slow*" DISCOVERY_TIMEOUT 120
+                       TEST_LIST ${floor}_slow_tests PROPERTIES LABELS slow TIMEOUT 3000)
+endfunction()
+
+mwt_add_tests(geometry mwt_geometry)
+mwt_add_tests(generators mwt_generators)
+# Algorithms and generators do not know each other; only their tests meet.
+mwt_add_tests(algorithms mwt_algorithms mwt_generators)
+mwt_add_tests(harness mwt_harness)

@@ -1,0 +1,22 @@
+// Delaunay triangulations by CGAL: the only door to its triangulation headers.
+#pragma once
+
+#include <span>
+
+#include "geometry/triangulation.h"
+
+namespace mwt {
+
+/// The Delaunay triangulation (cocircular ties as CGAL's insertion in spatial order resolves them: deterministic).
+/// Preconditions: distinct points, not all collinear, otherwise InputError. Expected O(n log n) time.
+[[nodiscard]] Triangulation delaunay_triangulation(Points points);
+
+/// The constrained Delaunay triangulation: contains every edge of `constraints`, Delaunay elsewhere.
+/// Preconditions: as above; no two constraints cross, none passes through a point, otherwise std::logic_error.
+[[nodiscard]] Triangulation constrained_delaunay_triangulation(Points points, std::span<const Edge> constraints);
+
+/// The yardstick: seconds that CGAL::Delaunay_triangulation_2<Epick>(first, last) takes on `points`, one thread, no
+/// vertex info, destruction excluded. One measurement; callers take the median of seven interleaved ones.
+[[nodiscard]] double measure_yardstick_s(Points points);
+
+}  // namespace mwt

@@ -1,0 +1,46 @@
+// Named parameters with declared defaults, shared by the registries of algorithms and generators.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace mwt {
+
+enum class ParameterType { integer, real, text, choice };
+
+/// A parameter as its registry entry declares it.
+struct ParameterInfo {
+  std::string name;
+  ParameterType type = ParameterType::text;
+  std::string default_value;
+  std::string summary;                 ///< what it means, its unit and its range
+  std::vector<std::string> choices{};  ///< the values of a `choice`; a hint for others
+};
+
+/// Values for all declared parameters of one run.
+class Parameters {
+ public:
+  Parameters() = default;
+
+  /// The declared defaults overridden by `given`. Throws InputError naming `owner` for an unknown name, a value that is
+  /// not of the declared type, or a choice that is not offered.
+  Parameters(const std::string& owner, const std::vector<ParameterInfo>& declared,
+             const std::map<std::string, std::string>& given);
+
+  /// Values by name. Asking for an undeclared name is a programming error: std::out_of_range.
+  [[nodiscard]] std::int64_t integer(const std::string& name) const;
+  [[nodiscard]] double real(const std::string& name) const;
+  [[nodiscard]] const std::string& text(const std::string& name) const;
+
+  [[nodiscard]] const std::map<std::string, std::string>& all() const { return values_; }
+
+  /// "k=6 start=greedy": sorted by name, empty without parameters. Identifies a configuration in records.
+  [[nodiscard]] std::string canonical() const;
+
+ private:
+  std::map<std::string, std::string> values_;
+};
+
+}  // namespace mwt

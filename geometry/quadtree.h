@@ -1,0 +1,51 @@
+// The bare quadtree of the report (sections 5.4 and 6.5): a square split in four until cells hold few points.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace mwt {
+
+/// A quadtree over distinct points as a flat array of cells in depth-first order, children south-west, south-east,
+/// north-west, north-east.
+///
+/// Cells are half-open, [x, x + size) x [y, y + size), so that every point lies in exactly one leaf; the bounding square
+/// is enlarged just enough to hold the topmost and rightmost points. A cell is split while it holds more than `capacity`
+/// points, down to `kMaximumDepth` levels, where a leaf may hold more: clusters finer than the square's side / 2^kMaximumDepth
+/// end there. Any distribution: empty children cost nothing. O(n depth) time, O(n) leaves that hold points.
+class Quadtree {
+ public:
+  static constexpr int kMaximumDepth = 48;
+
+  struct Cell {
+    double x = 0;  ///< south-west corner
+    double y = 0;
+    double size = 0;
+    std::uint32_t first = 0;  ///< its points are order()[first .. last)
+    std::uint32_t last = 0;
+    std::uint8_t depth = 0;
+    bool is_leaf = true;
+  };
+
+  /// Precondition: at least one point, capacity >= 1 (otherwise InputError).
+  Quadtree(Points points, int capacity);
+
+  /// All cells with at least one point, root first.
+  [[nodiscard]] std::span<const Cell> cells() const { return cells_; }
+
+  /// The points' indices, those of one cell side by side.
+  [[nodiscard]] std::span<const Index> order() const { return order_; }
+
+  [[nodiscard]] std::span<const Index> points_of(const Cell& cell) const {
+    return order().subspan(cell.first, cell.last - cell.first);
+  }
+
+ private:
+  std::vector<Cell> cells_;
+  std::vector<Index> order_;
+};
+
+}  // namespace mwt
