@@ -12,10 +12,11 @@ namespace mwt {
 /// A quadtree over distinct points as a flat array of cells in depth-first order, children south-west, south-east,
 /// north-west, north-east.
 ///
-/// Cells are half-open, [x, x + size) x [y, y + size), so that every point lies in exactly one leaf; the bounding square
-/// is enlarged just enough to hold the topmost and rightmost points. A cell is split while it holds more than `capacity`
-/// points, down to `kMaximumDepth` levels, where a leaf may hold more: clusters finer than the square's side / 2^kMaximumDepth
-/// end there. Any distribution: empty children cost nothing. O(n depth) time, O(n) leaves that hold points.
+/// Cells are half-open, [x, x + size) x [y, y + size), so that every point lies in exactly one leaf; the bounding
+/// square is enlarged just enough to hold the topmost and rightmost points. A cell is split while it holds more than
+/// `capacity` points, down to `kMaximumDepth` levels, where a leaf may hold more: clusters finer than the square's side
+/// / 2^kMaximumDepth end there. Any distribution: empty children cost nothing. O(n depth) time, O(n) leaves that hold
+/// points.
 class Quadtree {
  public:
   static constexpr int kMaximumDepth = 48;
