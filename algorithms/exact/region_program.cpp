@@ -132,8 +132,8 @@ RegionSolution solve_region(Points points, const FaceRegion& region, const Deadl
   const LocalRegion local = localise(points, region);
   const auto triangles = local_empty_triangles(local, kMaximumProgramTriangles, deadline);
   if (!triangles) return leave_unsolved(points, region);
-  const TriangleCover cover = lightest_triangle_cover(
-      {local.points, *triangles, local.boundary, region.triangle_count(), deadline});
+  const TriangleCover cover =
+      lightest_triangle_cover({local.points, *triangles, local.boundary, region.triangle_count(), deadline});
   RegionSolution result;
   if (cover.triangles.empty()) {
     result = leave_unsolved(points, region);
