@@ -135,7 +135,7 @@ bool cancel_exactly(const std::vector<SignedRoot<Number>>& roots) {
 std::optional<bool> cancel_exactly_if_small(const std::vector<SignedRoot<Integer>>& roots) {
   std::vector<SignedRoot<std::int64_t>> small;
   for (const auto& [square, sign] : roots) {
-    if (square >= Integer(std::int64_t{1} << 31)) return {};
+    if (square >= std::int64_t{1} << 31) return {};
     small.push_back({static_cast<std::int64_t>(square), sign});
   }
   if (roots.size() > (std::size_t{1} << 30)) return {};
