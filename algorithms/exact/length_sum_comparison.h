@@ -9,7 +9,7 @@
 
 namespace mwt {
 
-/// Sign of |e| - |f|, exact. Equal lengths whose squares are doubles (lattices, integers) need no big numbers.
+/// Sign of |e| - |f|, exact.
 [[nodiscard]] int compare_edge_lengths(Points points, const Edge& e, const Edge& f);
 
 /// Sign of (sum of the lengths of `a`) - (sum of the lengths of `b`), edges of the same points; consumes both lists.

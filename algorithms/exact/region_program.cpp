@@ -112,8 +112,8 @@ Interval boundary_length(Points points, const FaceRegion& region) {
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> empty_triangles(Points points, const FaceRegion& region, std::size_t limit,
-                                                     const Deadline& deadline) {
+std::optional<std::vector<Triangle>> empty_candidate_triangles(Points points, const FaceRegion& region,
+                                                               std::size_t limit, const Deadline& deadline) {
   const LocalRegion local = localise(points, region);
   const auto triangles = local_empty_triangles(local, limit, deadline);
   if (!triangles) return {};

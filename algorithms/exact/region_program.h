@@ -21,7 +21,7 @@ struct RegionSolution {
 
 /// The empty triangles whose sides are candidates or boundary edges of the region, counter-clockwise; nothing if they
 /// are more than `limit` or if the deadline passes. Sorted by their smallest corner, which comes first.
-[[nodiscard]] std::optional<std::vector<Triangle>> empty_triangles(
+[[nodiscard]] std::optional<std::vector<Triangle>> empty_candidate_triangles(
     Points points, const FaceRegion& region, std::size_t limit,
     const std::optional<std::chrono::steady_clock::time_point>& deadline);
 
