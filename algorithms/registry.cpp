@@ -6,8 +6,7 @@ namespace mwt {
 
 // Each algorithm's folder has a header that declares its entry: `AlgorithmInfo x_entry();`.
 std::span<const AlgorithmInfo> algorithms() {
-  static const std::vector<AlgorithmInfo> entries = {
-  };
+  static const std::vector<AlgorithmInfo> entries = {};
   return entries;
 }
 

@@ -8,8 +8,7 @@
 namespace mwt {
 
 std::span<const GeneratorInfo> generators() {
-  static const std::vector<GeneratorInfo> entries = {
-  };
+  static const std::vector<GeneratorInfo> entries = {};
   return entries;
 }
 
