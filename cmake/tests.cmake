@@ -16,7 +16,8 @@ function(mwt_add_tests floor)
 endfunction()
 
 mwt_add_tests(geometry mwt_geometry)
-mwt_add_tests(generators mwt_generators)
+# CGAL: only as an opinion to compare hulls with.
+mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not know each other; only their tests meet.
 mwt_add_tests(algorithms mwt_algorithms mwt_generators)
 mwt_add_tests(harness mwt_harness)
