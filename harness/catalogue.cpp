@@ -22,8 +22,12 @@ const Info& find(std::span<const Info> entries, const std::string& kind, const s
 
 Catalogue Catalogue::built_in() { return {mwt::algorithms(), mwt::generators()}; }
 
-const AlgorithmInfo& Catalogue::algorithm(const std::string& name) const { return find(algorithms_, "algorithm", name); }
+const AlgorithmInfo& Catalogue::algorithm(const std::string& name) const {
+  return find(algorithms_, "algorithm", name);
+}
 
-const GeneratorInfo& Catalogue::generator(const std::string& name) const { return find(generators_, "generator", name); }
+const GeneratorInfo& Catalogue::generator(const std::string& name) const {
+  return find(generators_, "generator", name);
+}
 
 }  // namespace mwt

@@ -126,7 +126,8 @@ std::map<std::string, std::string> parse_parameters(const std::vector<std::strin
   std::map<std::string, std::string> parameters;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos) throw InputError("--param " + text + " is not of the form name=value");
+    if (equals == 0 || equals == std::string::npos)
+      throw InputError("--param " + text + " is not of the form name=value");
     const auto [entry, is_new] = parameters.emplace(text.substr(0, equals), text.substr(equals + 1));
     if (!is_new) throw InputError("--param " + entry->first + " is given twice");
   }

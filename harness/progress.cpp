@@ -52,8 +52,8 @@ void Progress::show() {
 
 std::string Progress::status() const {
   const std::chrono::duration<double> elapsed = Clock::now() - begin_;
-  std::string line = title_ + ' ' + std::to_string(done_) + '/' + std::to_string(total_) + ", " +
-                     std::to_string(failed_) + " failed";
+  std::string line =
+      title_ + ' ' + std::to_string(done_) + '/' + std::to_string(total_) + ", " + std::to_string(failed_) + " failed";
   if (is_finished_) return line + ", took " + readable_duration(elapsed.count());
   if (done_ > 0) {
     const double rate = static_cast<double>(done_) / elapsed.count();

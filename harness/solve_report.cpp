@@ -34,7 +34,8 @@ void add_quality(AlignedTable& table, const SolveReport& report) {
 }
 
 void add_costs(AlignedTable& table, const SolveReport& report) {
-  table.add_row({"time", readable_duration(report.wall_time_s) + " (CPU " + readable_duration(report.cpu_time_s) + ")"});
+  table.add_row(
+      {"time", readable_duration(report.wall_time_s) + " (CPU " + readable_duration(report.cpu_time_s) + ")"});
   table.add_row({"peak memory", fixed(static_cast<double>(report.peak_rss_bytes) / (1 << 20), 1) + " MB"});
   for (const auto& [name, seconds] : report.phases) table.add_row({"  " + name, readable_duration(seconds)});
   for (const auto& [name, value] : report.counters) table.add_row({"  " + name, number_text(value)});
@@ -45,7 +46,8 @@ void add_costs(AlignedTable& table, const SolveReport& report) {
 std::string readable_text(const SolveReport& report) {
   AlignedTable table({"algorithm", report.algorithm + text_of(report.parameters)}, {1});
   table.add_row({"points", points_text(report)});
-  table.add_row({"triangles", std::to_string(report.triangles) + (report.valid ? ", checked" : ", NOT a triangulation")});
+  table.add_row(
+      {"triangles", std::to_string(report.triangles) + (report.valid ? ", checked" : ", NOT a triangulation")});
   if (report.edges) table.add_row({"edges", std::to_string(*report.edges)});
   add_quality(table, report);
   if (report.stopped_early) table.add_row({"stopped early", "yes, at the time limit"});

@@ -24,10 +24,10 @@ struct SolveReport {
   Index duplicates = 0;
   Index hull_size = 0;
   std::uint64_t triangles = 0;
-  std::optional<std::uint64_t> edges;     ///< this and the next two: only of a valid triangulation
+  std::optional<std::uint64_t> edges;  ///< this and the next two: only of a valid triangulation
   std::optional<Interval> weight;
   std::optional<double> perimeter_sum;
-  std::optional<std::string> count;       ///< exact number of triangulations, decimal
+  std::optional<std::string> count;  ///< exact number of triangulations, decimal
   bool stopped_early = false;
   std::optional<Interval> optimum;
   std::string optimality = "none";

@@ -10,7 +10,8 @@ namespace mwt {
 /// `value` with `digits` digits after the point, for tables.
 [[nodiscard]] std::string fixed(double value, int digits);
 
-/// A duration for tables and progress lines, in the largest unit that shows three digits: "12.3 us", "4.56 s", "3:20 min".
+/// A duration for tables and progress lines, in the largest unit that shows three digits: "12.3 us", "4.56 s", "3:20
+/// min".
 [[nodiscard]] std::string readable_duration(double seconds);
 
 /// The current time as "2026-01-31T23:59:59Z".

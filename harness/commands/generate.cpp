@@ -41,7 +41,8 @@ Command generate_command() {
     declared.option("--n", options->n, "number of points; not needed for a named instance");
     declared.option("--seed", options->seed, "seed of the pseudo-random numbers");
     declared.repeated("--param", options->parameters, "a parameter of the family, k=v; may be repeated");
-    declared.required("-o,--output", options->output, "point file by its ending (.txt .xy .csv .tsp .json); - for stdout");
+    declared.required("-o,--output", options->output,
+                      "point file by its ending (.txt .xy .csv .tsp .json); - for stdout");
   };
   return {"generate", "Write an instance of a family to a point file", declare,
           [options] { return generate_points(*options); }};

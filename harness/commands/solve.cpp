@@ -150,7 +150,8 @@ void declare(CommandOptions& declared, Options& options) {
   declared.positive("--time-limit", options.time_limit_s, "seconds after which the best so far is wanted");
   declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to tell alpha");
   declared.flag("--json", options.json, "print one JSON object");
-  declared.option("--triangles", options.triangles, "write the triangles (a,b,c per line; positions in the point file)");
+  declared.option("--triangles", options.triangles,
+                  "write the triangles (a,b,c per line; positions in the point file)");
   declared.option("--edges", options.edges, "write the edges (a,b per line)");
   declared.option("--svg", options.svg, "write a picture");
 }

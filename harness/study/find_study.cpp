@@ -40,7 +40,8 @@ std::string find_study_file(const std::string& name_or_path) {
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
     return (studies_folder() / (name_or_path + ".toml")).string();
   }
-  throw InputError("unknown study '" + name_or_path + "'; known: " + joined(names) + "; or give the path of a .toml file");
+  throw InputError("unknown study '" + name_or_path + "'; known: " + joined(names) +
+                   "; or give the path of a .toml file");
 }
 
 }  // namespace mwt

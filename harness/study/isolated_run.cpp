@@ -48,7 +48,8 @@ void start_isolated_run(ProcessPool& pool, const Request& request, std::shared_p
   const auto work = [&] {
     return encode(run_in_worker(request, *instance, keys, min_time_s, limits.time_s + limits.grace_s));
   };
-  const ProcessLimits process = process_limits(limits, static_cast<Index>(instance->set.points.size()), request.threads);
+  const ProcessLimits process =
+      process_limits(limits, static_cast<Index>(instance->set.points.size()), request.threads);
   pool.start(work, process, [keys, when_done = std::move(when_done)](const ProcessResult& result) {
     RunRecord record = record_after(result, keys);
     record.recorded_at = utc_now();

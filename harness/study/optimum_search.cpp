@@ -46,7 +46,8 @@ struct Search : std::enable_shared_from_this<Search> {
     if (const std::optional<Interval> bounds = optimum_of(record)) {
       combine(source.name, *bounds);
     } else {
-      note(source.name + ": " + std::string(name_of(record.status)) + (record.message.empty() ? "" : ", " + record.message));
+      note(source.name + ": " + std::string(name_of(record.status)) +
+           (record.message.empty() ? "" : ", " + record.message));
     }
     ask_next_source();
   }

@@ -16,9 +16,9 @@ namespace mwt {
 
 struct FoundOptimum {
   std::optional<Interval> interval;
-  std::string source;  ///< the algorithm whose bounds these are; several joined by '+'
-  double time_s = 0;   ///< of the search
-  std::string note;    ///< why there is no proved optimum
+  std::string source;          ///< the algorithm whose bounds these are; several joined by '+'
+  double time_s = 0;           ///< of the search
+  std::string note;            ///< why there is no proved optimum
   bool contradiction = false;  ///< two sources certified intervals that do not overlap: one of them is wrong
 };
 

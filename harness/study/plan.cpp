@@ -112,23 +112,27 @@ class Planner {
   Index legal_n(const PlannedInstance& wanted) {
     std::string complaint = "no instance near that size";
     const Index n = nearest_legal_n(wanted, complaint);
-    if (n == 0) plan_.notes.push_back("left out: " + wanted.family->name + " n=" + std::to_string(wanted.n) + ": " + complaint);
+    if (n == 0)
+      plan_.notes.push_back("left out: " + wanted.family->name + " n=" + std::to_string(wanted.n) + ": " + complaint);
     if (n != 0 && n != wanted.n) {
-      plan_.notes.push_back(wanted.family->name + " has no n=" + std::to_string(wanted.n) + "; taken: n=" + std::to_string(n));
+      plan_.notes.push_back(wanted.family->name + " has no n=" + std::to_string(wanted.n) +
+                            "; taken: n=" + std::to_string(n));
     }
     return n;
   }
 
   void add_instance(const PlannedInstance& instance) {
     const std::string key = joined({study_.name, instance.family->name, instance.parameters.canonical(),
-                                    std::to_string(instance.n), std::to_string(instance.seed)}, "\n");
+                                    std::to_string(instance.n), std::to_string(instance.seed)},
+                                   "\n");
     if (!known_instances_.insert(key).second) return;
     plan_.instances.push_back(instance);
     for (int repetition = 0; repetition < study_.repetitions; ++repetition) {
       for (PlannedRun run : algorithms_) {
         run.instance = plan_.instances.size() - 1;
         run.repetition = repetition;
-        run.run_id = short_hash(joined({key, run.algorithm->name, run.parameters.canonical(), std::to_string(repetition)}, "\n"));
+        run.run_id = short_hash(
+            joined({key, run.algorithm->name, run.parameters.canonical(), std::to_string(repetition)}, "\n"));
         if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
       }
     }
@@ -146,7 +150,8 @@ class Planner {
 
 std::string PlannedInstance::label() const {
   const std::string given = parameters.canonical();
-  return family->name + (given.empty() ? "" : " " + given) + " n=" + std::to_string(n) + " seed=" + std::to_string(seed);
+  return family->name + (given.empty() ? "" : " " + given) + " n=" + std::to_string(n) +
+         " seed=" + std::to_string(seed);
 }
 
 Index largest_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study) {

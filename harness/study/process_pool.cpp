@@ -185,7 +185,8 @@ void ProcessPool::start(const Work& work, const ProcessLimits& limits, WhenDone 
   child.exit_watch = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
   child.output_pipe = output.read_end;
   child.error_pipe = errors.read_end;
-  child.kill_at = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.wall_s));
+  child.kill_at =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.wall_s));
   child.when_done = std::move(when_done);
   if (child.exit_watch < 0) throw std::system_error(errno, std::generic_category(), "pidfd_open");
   children_.push_back(std::move(child));

@@ -16,10 +16,10 @@ struct ProcessLimits {
 };
 
 enum class ProcessEnd {
-  finished,         ///< sent its result
+  finished,          ///< sent its result
   stopped_at_limit,  ///< killed by the parent at wall_s, or by the system at cpu_s
-  killed,           ///< by SIGKILL that the parent did not send: usually the system, out of memory
-  crashed,          ///< any other signal, or it exited without a result
+  killed,            ///< by SIGKILL that the parent did not send: usually the system, out of memory
+  crashed,           ///< any other signal, or it exited without a result
 };
 
 struct ProcessResult {
@@ -35,7 +35,7 @@ struct ProcessResult {
 /// Precondition: the calling process is single-threaded (fork). Linux.
 class ProcessPool {
  public:
-  using Work = std::function<std::string()>;         ///< runs in the child; what it throws counts as a crash
+  using Work = std::function<std::string()>;                   ///< runs in the child; what it throws counts as a crash
   using WhenDone = std::function<void(const ProcessResult&)>;  ///< runs in the parent, inside wait()
 
   explicit ProcessPool(int capacity);

@@ -37,7 +37,8 @@ void make_folder(const fs::path& folder, bool resume) {
     throw InputError(folder.string() + ": cannot make this folder: " + error.message() + "; choose another with --out");
   }
   if (!resume && !fs::is_empty(folder, error)) {
-    throw InputError(folder.string() + ": has results already; continue them with --resume or choose another with --out");
+    throw InputError(folder.string() +
+                     ": has results already; continue them with --resume or choose another with --out");
   }
 }
 

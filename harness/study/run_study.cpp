@@ -92,7 +92,8 @@ class StudyRunner {
   void add_known(const std::string& instance_id, const Interval& bounds, const std::string& where) {
     if (known_.add(instance_id, bounds)) return;
     ++outcome_.contradictions;
-    out_ << "  CONTRADICTION in " << where << ": certified optima of instance " << instance_id << " exclude each other\n";
+    out_ << "  CONTRADICTION in " << where << ": certified optima of instance " << instance_id
+         << " exclude each other\n";
   }
 
   void seek_optima() {

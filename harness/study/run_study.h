@@ -12,7 +12,7 @@ namespace mwt {
 struct RunOptions {
   std::string folder;  ///< where the records go
   bool resume = false;
-  int jobs = 1;        ///< runs side by side; more than one disturbs times
+  int jobs = 1;  ///< runs side by side; more than one disturbs times
   bool is_terminal = false;
 };
 

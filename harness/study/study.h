@@ -37,8 +37,8 @@ struct OptimumSource {
 
 /// Limits of one run in its own process.
 struct RunLimits {
-  double time_s = 60;                                    ///< the algorithm's soft deadline
-  double grace_s = 2;                                    ///< killed at time_s + grace_s
+  double time_s = 60;                                   ///< the algorithm's soft deadline
+  double grace_s = 2;                                   ///< killed at time_s + grace_s
   std::uint64_t memory_bytes = std::uint64_t{2} << 30;  ///< data beyond what the worker begins with
 };
 

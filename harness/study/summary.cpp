@@ -80,7 +80,8 @@ class Labels {
 std::string table_by_algorithm(const std::vector<RunRecord>& runs, const Labels& labels) {
   std::map<std::pair<std::size_t, std::string>, Tally> tallies;
   for (const RunRecord& run : runs) tallies[{labels.position_of(run), labels.algorithm_of(run)}].add(run);
-  AlignedTable table({"algorithm", "runs", "failures", "not applicable", "rated", "alpha mean", "alpha max", "optimal"});
+  AlignedTable table(
+      {"algorithm", "runs", "failures", "not applicable", "rated", "alpha mean", "alpha max", "optimal"});
   for (const auto& [key, tally] : tallies) {
     table.add_row({key.second, std::to_string(tally.runs), std::to_string(tally.failures),
                    std::to_string(tally.not_applicable), std::to_string(tally.alphas.size()), tally.alpha_mean(),
@@ -94,8 +95,8 @@ std::string table_by_cell(const std::vector<RunRecord>& runs, const Labels& labe
   for (const RunRecord& run : runs) {
     tallies[{labels.family_of(run), labels.position_of(run), labels.algorithm_of(run), run.n}].add(run);
   }
-  AlignedTable table({"family", "algorithm", "n", "runs", "failures", "median time", "alpha mean", "alpha max", "optimal"},
-                     {1});
+  AlignedTable table(
+      {"family", "algorithm", "n", "runs", "failures", "median time", "alpha mean", "alpha max", "optimal"}, {1});
   for (const auto& [key, tally] : tallies) {
     if (tally.runs == 0) continue;
     table.add_row({std::get<0>(key), std::get<2>(key), std::to_string(std::get<3>(key)), std::to_string(tally.runs),
