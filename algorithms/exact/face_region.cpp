@@ -32,8 +32,9 @@ class Components {
 
   // The smallest member represents its set.
   void unite(std::size_t i, std::size_t j) {
-    const auto [low, high] = std::minmax(find(i), find(j));
-    parent_[high] = low;
+    i = find(i);
+    j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
   }
 
  private:

@@ -29,8 +29,8 @@ using Walk = std::vector<Corner>;
                                      const std::vector<Index>& isolated);
 
 /// Groups walks and isolated vertices (ascending) by the faces they lie in: two belong together if a candidate joins
-/// them. No geometry is needed, because some triangulation by candidates joins everything within a face and nothing across
-/// faces. Regions are ordered by their first walk. Precondition: the walks of a face are all given, or none is.
+/// them. No geometry is needed, because some triangulation by candidates joins everything within a face and nothing
+/// across faces. Regions are ordered by their first walk. Precondition: the walks of a face are all given, or none is.
 [[nodiscard]] std::vector<FaceRegion> group_into_regions(const CandidateGraph& graph, const FaceWalker& walker,
                                                          const std::vector<Walk>& walks,
                                                          const std::vector<Index>& isolated);

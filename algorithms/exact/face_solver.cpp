@@ -31,9 +31,9 @@ constexpr std::size_t kLongWalk = 64;
 struct Part {
   FaceTriangles solved;
   LengthSum certain;
-  std::vector<Corner> long_walks;    // where walks longer than kLongWalk may start
+  std::vector<Corner> long_walks;     // where walks longer than kLongWalk may start
   std::vector<Walk> composite_walks;  // parts of the boundaries of faces with holes or isolated vertices
-  std::vector<Walk> late_walks;      // polygons that the deadline left
+  std::vector<Walk> late_walks;       // polygons that the deadline left
   std::vector<Index> isolated;
   std::uint64_t faces = 0;
   std::uint64_t largest_face = 0;
@@ -41,9 +41,8 @@ struct Part {
 
 // All coordinates smaller than 2^-400 are scaled up by a power of two, so that lengths keep their precision.
 std::vector<Point> scaled_if_tiny(Points points) {
-  const bool is_tiny = std::all_of(points.begin(), points.end(), [](const Point& p) {
-    return std::abs(p.x) < 0x1p-400 && std::abs(p.y) < 0x1p-400;
-  });
+  const bool is_tiny = std::all_of(points.begin(), points.end(),
+                                   [](const Point& p) { return std::abs(p.x) < 0x1p-400 && std::abs(p.y) < 0x1p-400; });
   std::vector<Point> scaled;
   if (!is_tiny) return scaled;
   for (const Point& p : points) scaled.push_back({p.x * 0x1p600, p.y * 0x1p600});
@@ -73,11 +72,9 @@ class Progress {
 class FaceSolver {
  public:
   FaceSolver(const CandidateGraph& graph, Context& context)
-      : graph_(graph),
-        context_(context),
-        walker_(graph),
-        scaled_(scaled_if_tiny(graph.points)),
-        solvers_([this] { return PolygonFaceSolver(graph_, scaled_.empty() ? graph_.points : Points(scaled_)); }) {}
+      : graph_(graph), context_(context), walker_(graph), scaled_(scaled_if_tiny(graph.points)), solvers_([this] {
+          return PolygonFaceSolver(graph_, scaled_.empty() ? graph_.points : Points(scaled_));
+        }) {}
 
   FaceSolution solve();
 

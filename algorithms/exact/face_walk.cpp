@@ -22,7 +22,8 @@ void FaceWalker::sort_large_stars() {
   for (Index v = 0; v < graph_.points.size(); ++v) {
     if (graph_.first[v + 1] - graph_.first[v] <= kLargeStar) continue;
     large_.push_back(v);
-    for (std::uint32_t h = graph_.first[v]; h < graph_.first[v + 1]; ++h) large_stars_.emplace_back(graph_.target[h], h);
+    for (std::uint32_t h = graph_.first[v]; h < graph_.first[v + 1]; ++h)
+      large_stars_.emplace_back(graph_.target[h], h);
     std::sort(large_stars_.begin() + static_cast<std::ptrdiff_t>(large_first_.back()), large_stars_.end());
     large_first_.push_back(large_stars_.size());
   }

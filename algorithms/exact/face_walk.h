@@ -10,10 +10,10 @@
 
 namespace mwt {
 
-/// A corner of a face: the sector at `vertex` from its certain halfedge `halfedge` counter-clockwise to the next certain
-/// one. The face lies in that sector, left of the halfedge. Every halfedge that is not certain lies in exactly one
-/// corner, so that candidates belong to faces without any geometry. A vertex is a corner several times where its face
-/// touches itself (at slits, for example).
+/// A corner of a face: the sector at `vertex` from its certain halfedge `halfedge` counter-clockwise to the next
+/// certain one. The face lies in that sector, left of the halfedge. Every halfedge that is not certain lies in exactly
+/// one corner, so that candidates belong to faces without any geometry. A vertex is a corner several times where its
+/// face touches itself (at slits, for example).
 struct Corner {
   Index vertex = 0;
   std::uint32_t halfedge = 0;

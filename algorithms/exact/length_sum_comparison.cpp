@@ -15,21 +15,6 @@ namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 
-// The squared length if it and all steps towards it are doubles.
-std::optional<double> exact_squared_length(const Point& p, const Point& q) {
-  const DoubleDouble dx = exact_sum(p.x, -q.x);
-  const DoubleDouble dy = exact_sum(p.y, -q.y);
-  if (dx.low != 0 || dy.low != 0) return {};
-  // Below 2^-400 the products' last bits may underflow, above 2^400 they overflow.
-  const auto is_safe = [](double d) { return d == 0 || (std::abs(d) > 0x1p-400 && std::abs(d) < 0x1p400); };
-  if (!is_safe(dx.high) || !is_safe(dy.high)) return {};
-  const DoubleDouble xx = exact_product(dx.high, dx.high);
-  const DoubleDouble yy = exact_product(dy.high, dy.high);
-  const DoubleDouble sum = exact_sum(xx.high, yy.high);
-  if (xx.low != 0 || yy.low != 0 || sum.low != 0) return {};
-  return sum.high;
-}
-
 // Removes lengths that occur in both, as often as they occur in both.
 void cancel_equal_lengths(Points points, std::vector<Edge>& a, std::vector<Edge>& b) {
   const auto is_shorter = [&](const Edge& e, const Edge& f) { return compare_edge_lengths(points, e, f) < 0; };
@@ -135,7 +120,7 @@ bool cancel_exactly(const std::vector<SignedRoot<Number>>& roots) {
 std::optional<bool> cancel_exactly_if_small(const std::vector<SignedRoot<Integer>>& roots) {
   std::vector<SignedRoot<std::int64_t>> small;
   for (const auto& [square, sign] : roots) {
-    if (square >= Integer(std::int64_t{1} << 31)) return {};
+    if (square >= std::int64_t{1} << 31) return {};
     small.push_back({static_cast<std::int64_t>(square), sign});
   }
   if (roots.size() > (std::size_t{1} << 30)) return {};
@@ -159,11 +144,7 @@ int sign_with_precision(const std::vector<SignedRoot<Integer>>& roots, unsigned 
 }  // namespace
 
 int compare_edge_lengths(Points points, const Edge& e, const Edge& f) {
-  if (e == f) return 0;
-  const std::optional<double> ee = exact_squared_length(points[e.a], points[e.b]);
-  const std::optional<double> ff = exact_squared_length(points[f.a], points[f.b]);
-  if (ee && ff) return *ee < *ff ? -1 : (*ee > *ff ? 1 : 0);
-  return compare_length(points[e.a], points[e.b], points[f.a], points[f.b]);
+  return e == f ? 0 : compare_length(points[e.a], points[e.b], points[f.a], points[f.b]);
 }
 
 std::optional<int> compare_length_sums(Points points, std::vector<Edge>& a, std::vector<Edge>& b) {

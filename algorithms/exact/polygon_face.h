@@ -1,9 +1,9 @@
 // Minimum weight triangulation of a face whose boundary is in one piece: interval dynamic program over candidates.
 //
-// The corners of such a face, in the order of the walk, are the positions 0 .. L-1 of a weakly simple polygon. A candidate
-// joins two definite corners, and because the boundary is connected, three candidates or boundary edges between three
-// positions bound an empty triangle; so the program over intervals of positions (P. D. Gilbert 1979, G. T. Klincsek
-// 1980), restricted to candidates, is exact, with slits and repeated vertices as well.
+// The corners of such a face, in the order of the walk, are the positions 0 .. L-1 of a weakly simple polygon. A
+// candidate joins two definite corners, and because the boundary is connected, three candidates or boundary edges
+// between three positions bound an empty triangle; so the program over intervals of positions (P. D. Gilbert 1979, G.
+// T. Klincsek 1980), restricted to candidates, is exact, with slits and repeated vertices as well.
 #pragma once
 
 #include <chrono>
@@ -50,7 +50,8 @@ class PolygonFaceSolver {
   PolygonFaceSolver(const CandidateGraph& graph, Points points) : graph_(graph), points_(points) {}
 
   /// Adds the face's optimal triangulation to `result`, unless the outcome is another than `solved`.
-  /// Precondition: at least 3 corners, and the candidates contain a triangulation of the face, otherwise std::logic_error.
+  /// Precondition: at least 3 corners, and the candidates contain a triangulation of the face, otherwise
+  /// std::logic_error.
   PolygonFaceOutcome solve(std::span<const Corner> corners,
                            const std::optional<std::chrono::steady_clock::time_point>& deadline, FaceTriangles& result);
 

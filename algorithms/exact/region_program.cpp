@@ -112,8 +112,8 @@ Interval boundary_length(Points points, const FaceRegion& region) {
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> empty_triangles(Points points, const FaceRegion& region, std::size_t limit,
-                                                     const Deadline& deadline) {
+std::optional<std::vector<Triangle>> empty_candidate_triangles(Points points, const FaceRegion& region,
+                                                               std::size_t limit, const Deadline& deadline) {
   const LocalRegion local = localise(points, region);
   const auto triangles = local_empty_triangles(local, limit, deadline);
   if (!triangles) return {};
@@ -132,8 +132,8 @@ RegionSolution solve_region(Points points, const FaceRegion& region, const Deadl
   const LocalRegion local = localise(points, region);
   const auto triangles = local_empty_triangles(local, kMaximumProgramTriangles, deadline);
   if (!triangles) return leave_unsolved(points, region);
-  const TriangleCover cover = lightest_triangle_cover(
-      {local.points, *triangles, local.boundary, region.triangle_count(), deadline});
+  const TriangleCover cover =
+      lightest_triangle_cover({local.points, *triangles, local.boundary, region.triangle_count(), deadline});
   RegionSolution result;
   if (cover.triangles.empty()) {
     result = leave_unsolved(points, region);

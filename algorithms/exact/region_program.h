@@ -19,9 +19,9 @@ struct RegionSolution {
   std::uint64_t branchings = 0;
 };
 
-/// The empty triangles whose sides are candidates or boundary edges of the region, counter-clockwise; nothing if they are more
-/// than `limit` or if the deadline passes. Sorted by their smallest corner, which comes first.
-[[nodiscard]] std::optional<std::vector<Triangle>> empty_triangles(
+/// The empty triangles whose sides are candidates or boundary edges of the region, counter-clockwise; nothing if they
+/// are more than `limit` or if the deadline passes. Sorted by their smallest corner, which comes first.
+[[nodiscard]] std::optional<std::vector<Triangle>> empty_candidate_triangles(
     Points points, const FaceRegion& region, std::size_t limit,
     const std::optional<std::chrono::steady_clock::time_point>& deadline);
 
@@ -29,7 +29,8 @@ struct RegionSolution {
 inline constexpr std::size_t kMaximumProgramTriangles = 4'000'000;
 
 /// The best triangulation by candidates (see algorithms/triangle_lp/triangle_cover.h). Where the deadline or
-/// kMaximumProgramTriangles stops it: the best cover found or a constrained Delaunay triangulation, and bounds that still hold.
+/// kMaximumProgramTriangles stops it: the best cover found or a constrained Delaunay triangulation, and bounds that
+/// still hold.
 [[nodiscard]] RegionSolution solve_region(Points points, const FaceRegion& region,
                                           const std::optional<std::chrono::steady_clock::time_point>& deadline);
 
