@@ -21,3 +21,8 @@ mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not know each other; only their tests meet.
 mwt_add_tests(algorithms mwt_algorithms mwt_generators)
 mwt_add_tests(harness mwt_harness)
+# The harness's tests also run the program as its users do.
+if(TARGET harness_test)
+  target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>")
+  add_dependencies(harness_test mwt)
+endif()
