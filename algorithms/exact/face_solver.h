@@ -16,20 +16,20 @@ struct FaceSolution {
   Interval optimum;                 ///< certified bounds on the weight of a minimum weight triangulation of the points
   bool proved = false;              ///< every face solved and relative width of `optimum` at most 1e-12
 
-  std::uint64_t faces = 0;               ///< that are no triangles
-  std::uint64_t largest_face = 0;        ///< edges on the longest face boundary
-  std::uint64_t dp_cells = 0;            ///< intervals whose optimum was computed
-  std::uint64_t precise_comparisons = 0; ///< comparisons of sums of roots that doubles could not decide
-  std::uint64_t undecided_ties = 0;      ///< of these, sums that no available precision told apart
-  std::uint64_t faces_with_holes = 0;    ///< solved by linear programming
+  std::uint64_t faces = 0;                ///< that are no triangles
+  std::uint64_t largest_face = 0;         ///< edges on the longest face boundary
+  std::uint64_t dp_cells = 0;             ///< intervals whose optimum was computed
+  std::uint64_t precise_comparisons = 0;  ///< comparisons of sums of roots that doubles could not decide
+  std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart
+  std::uint64_t faces_with_holes = 0;     ///< solved by linear programming
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
-  std::uint64_t unsolved_faces = 0;      ///< cut short by the deadline; each contributes its own lower bound
+  std::uint64_t unsolved_faces = 0;  ///< cut short by the deadline; each contributes its own lower bound
 };
 
-/// Faces of one boundary component: interval dynamic program over candidates. Faces with holes or isolated vertices: linear
-/// program with branching. Uses context.threads; the triangles and their order do not depend on it.
-/// Obeys context.deadline: faces left over are filled with a constrained Delaunay triangulation.
+/// Faces of one boundary component: interval dynamic program over candidates. Faces with holes or isolated vertices:
+/// linear program with branching. Uses context.threads; the triangles and their order do not depend on it. Obeys
+/// context.deadline: faces left over are filled with a constrained Delaunay triangulation.
 [[nodiscard]] FaceSolution solve_faces(const CandidateGraph& graph, Context& context);
 
 }  // namespace mwt
