@@ -84,7 +84,7 @@ void add_empty_triangles(const LocalRegion& local, Index a, std::vector<Triangle
   }
 }
 
-std::optional<std::vector<Triangle>> local_empty_triangles(const LocalRegion& local, std::size_t limit,
+std::optional<std::vector<Triangle>> empty_triangles_of(const LocalRegion& local, std::size_t limit,
                                                            const Deadline& deadline) {
   std::vector<Triangle> triangles;
   for (Index a = 0; a < local.vertices.size(); ++a) {
@@ -112,14 +112,6 @@ Interval boundary_length(Points points, const FaceRegion& region) {
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> empty_candidate_triangles(Points points, const FaceRegion& region,
-                                                               std::size_t limit, const Deadline& deadline) {
-  const LocalRegion local = localise(points, region);
-  const auto triangles = local_empty_triangles(local, limit, deadline);
-  if (!triangles) return {};
-  return in_instance(local, *triangles);
-}
-
 RegionSolution leave_unsolved(Points points, const FaceRegion& region) {
   RegionSolution result;
   result.triangles = fill_region(points, region);
@@ -130,7 +122,7 @@ RegionSolution leave_unsolved(Points points, const FaceRegion& region) {
 
 RegionSolution solve_region(Points points, const FaceRegion& region, const Deadline& deadline) {
   const LocalRegion local = localise(points, region);
-  const auto triangles = local_empty_triangles(local, kMaximumProgramTriangles, deadline);
+  const auto triangles = empty_triangles_of(local, kMaximumProgramTriangles, deadline);
   if (!triangles) return leave_unsolved(points, region);
   const TriangleCover cover =
       lightest_triangle_cover({local.points, *triangles, local.boundary, region.triangle_count(), deadline});
