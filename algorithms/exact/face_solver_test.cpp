@@ -172,22 +172,10 @@ TEST(FaceSolver, AgreesWithSweepOnSmallInstances) { compare_with_sweep(14, 10, 1
 
 TEST(FaceSolverSlow, AgreesWithSweepOnManyInstances) { compare_with_sweep(200, 13, 2); }
 
-CandidateGraph graph_with_certain(Points points, std::set<Edge> certain) {
-  certain.merge(naive::hull_edges(points));
-  std::vector<Edge> edges;
-  for (const Edge& e : naive::possible_edges(points)) {
-    const bool is_crossed = std::any_of(certain.begin(), certain.end(), [&](const Edge& f) {
-      return segments_cross(points[e.a], points[e.b], points[f.a], points[f.b]);
-    });
-    if (!is_crossed || certain.contains(e)) edges.push_back(e);
-  }
-  return naive::make_graph(points, edges, certain);
-}
-
 const std::vector<Point> kSquareWithPoints{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {8, 7}, {12, 13}, {13, 6}};
 
 TEST(FaceSolver, TriangulatesAroundSlitsAsPolygon) {
-  const CandidateGraph graph = graph_with_certain(kSquareWithPoints, {{0, 4}, {4, 6}, {4, 5}});
+  const CandidateGraph graph = naive::graph_with_certain(kSquareWithPoints, {{0, 4}, {4, 6}, {4, 5}});
   const FaceSolution solution = solve(graph);
   expect_valid(kSquareWithPoints, solution);
   EXPECT_TRUE(solution.proved);
@@ -201,7 +189,7 @@ TEST(FaceSolver, TriangulatesHolesOfAllKinds) {
       {}, {{4, 5}}, {{4, 5}, {5, 6}}, {{4, 5}, {4, 6}, {5, 6}}, {{0, 4}}, {{0, 4}, {5, 6}}};
   const Interval optimum = naive::SweptOptimum(kSquareWithPoints).weight();
   for (const auto& certain : inner_edges) {
-    const CandidateGraph graph = graph_with_certain(kSquareWithPoints, certain);
+    const CandidateGraph graph = naive::graph_with_certain(kSquareWithPoints, certain);
     const FaceSolution solution = solve(graph);
     expect_valid(kSquareWithPoints, solution);
     EXPECT_TRUE(solution.proved);
