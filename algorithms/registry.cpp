@@ -1,5 +1,6 @@
 #include "algorithms/registry.h"
 
+#include "algorithms/greedy/greedy.h"
 #include "geometry/error.h"
 
 namespace mwt {
@@ -7,6 +8,7 @@ namespace mwt {
 // Each algorithm's folder has a header that declares its entry: `AlgorithmInfo x_entry();`.
 std::span<const AlgorithmInfo> algorithms() {
   static const std::vector<AlgorithmInfo> entries = {
+      greedy_entry(),
   };
   return entries;
 }
