@@ -3,6 +3,7 @@
 #include "algorithms/delaunay/delaunay.h"
 #include "algorithms/exact/exact.h"
 #include "algorithms/flip_report/flip_report.h"
+#include "algorithms/greedy/greedy.h"
 #include "algorithms/greedy_report/greedy_report.h"
 #include "algorithms/hull_insertion/hull_insertion.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
@@ -18,6 +19,7 @@ std::span<const AlgorithmInfo> algorithms() {
       delaunay_entry(),
       sweep_entry(),
       greedy_report_entry(),
+      greedy_entry(),
       polygon_dp_entry(),
       hull_insertion_entry(),
       flip_report_entry(),
