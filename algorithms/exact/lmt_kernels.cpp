@@ -212,11 +212,13 @@ class Deletion {
     }
   }
 
-  // Drops the apexes whose triangle with the edge certainly has a neighbour of s or of o inside. side: +1 left, -1 right.
+  // Drops the apexes whose triangle with the edge certainly has a neighbour of s or of o inside. side: +1 left, -1
+  // right.
   HWY_INLINE void remove_blocked(const Star& star, const Star& other, Apexes& apexes, float side) {
     std::uint32_t kept = 0;
     for (std::uint32_t a = 0; a < apexes.count; ++a) {
-      if (has_point_inside(star, {side * edge_x_, side * edge_y_}, {side * apexes.x[a], side * apexes.y[a]}, side)) continue;
+      if (has_point_inside(star, {side * edge_x_, side * edge_y_}, {side * apexes.x[a], side * apexes.y[a]}, side))
+        continue;
       const std::uint32_t at_o = position_of(other, star.target()[apexes.position[a]]);
       const Vector seen_from_o{side * other.x()[at_o], side * other.y()[at_o]};
       if (has_point_inside(other, seen_from_o, {-side * edge_x_, -side * edge_y_}, side)) continue;
@@ -231,12 +233,13 @@ class Deletion {
     float x, y;
   };
 
-  // Whether a neighbour lies certainly inside the triangle spanned at the star's center by two vectors, the second to the
-  // left of the first; both are given times `side`.
+  // Whether a neighbour lies certainly inside the triangle spanned at the star's center by two vectors, the second to
+  // the left of the first; both are given times `side`.
   HWY_INLINE bool has_point_inside(const Star& star, Vector first, Vector second, float side) const {
     const float one = first.x * second.y, two = first.y * second.x;
     const float area = side * (one - two) - kRounding * (std::abs(one) + std::abs(two));
-    const float rounding = kRounding * (std::abs(first.x) + std::abs(first.y) + std::abs(second.x) + std::abs(second.y));
+    const float rounding =
+        kRounding * (std::abs(first.x) + std::abs(first.y) + std::abs(second.x) + std::abs(second.y));
     const auto fx = hn::Set(kFloat, first.x), fy = hn::Set(kFloat, first.y);
     const auto sx = hn::Set(kFloat, second.x), sy = hn::Set(kFloat, second.y);
     const auto error = hn::Set(kFloat, rounding), inner_area = hn::Set(kFloat, area);
