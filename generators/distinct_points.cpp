@@ -7,22 +7,22 @@
 
 namespace mwt {
 
-DistinctPoints::DistinctPoints(Index expected_count)
-    : slots_(std::bit_ceil(std::size_t{2} * expected_count + 1), kNoIndex) {
-  points_.reserve(expected_count);
+DistinctPoints::DistinctPoints(Index capacity)
+    : slots_(std::bit_ceil(std::size_t{capacity} + capacity / 3 + 1)) {  // at most 3/4 full
+  points_.reserve(capacity);
 }
 
 bool DistinctPoints::insert(Point p) {
   p = {p.x + 0.0, p.y + 0.0};  // -0 + 0 = 0: one zero only
   const std::uint64_t hash =
       scatter_bits(scatter_bits(std::bit_cast<std::uint64_t>(p.x)) ^ std::bit_cast<std::uint64_t>(p.y));
+  const auto hash_part = static_cast<std::uint32_t>(hash >> 32);  // the slot depends mostly on the other half
   const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = hash & mask;
-  while (slots_[slot] != kNoIndex) {
-    if (points_[slots_[slot]] == p) return false;
-    slot = (slot + 1) & mask;
+  std::size_t i = hash & mask;
+  for (; slots_[i].position != kNoIndex; i = (i + 1) & mask) {
+    if (slots_[i].hash == hash_part && points_[slots_[i].position] == p) return false;
   }
-  slots_[slot] = size();
+  slots_[i] = {hash_part, size()};
   points_.push_back(p);
   return true;
 }

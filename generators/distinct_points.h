@@ -12,20 +12,27 @@
 namespace mwt {
 
 /// Points in the order of their insertion, equal ones (-0 = 0) only once. A hash table with open addressing: expected
-/// O(1) time and 8 to 16 bytes per point besides the points. What it holds does not depend on the hash.
+/// O(1) time and 11 to 22 bytes per point besides the points. What it holds does not depend on the hash.
 class DistinctPoints {
  public:
-  explicit DistinctPoints(Index expected_count);
+  /// For up to `capacity` points.
+  explicit DistinctPoints(Index capacity);
 
-  /// Appends p; false if an equal point is there already.
+  /// Appends p; false if an equal point is there already. Precondition: size() < capacity.
   bool insert(Point p);
 
   [[nodiscard]] Index size() const { return static_cast<Index>(points_.size()); }
   [[nodiscard]] std::vector<Point> take() { return std::move(points_); }
 
  private:
+  // Part of the hash beside the position saves nearly all looks at points_, which would miss the cache.
+  struct Slot {
+    std::uint32_t hash = 0;
+    Index position = kNoIndex;  // in points_
+  };
+
   std::vector<Point> points_;
-  std::vector<Index> slots_;  // positions in points_, kNoIndex if free; the size is a power of two
+  std::vector<Slot> slots_;  // the size is a power of two
 };
 
 /// Counts draws and gives up when there are far too many of them (100 per point and a million more).

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
+#include "generators/random.h"
 #include "geometry/error.h"
 
 namespace mwt {
@@ -19,6 +21,19 @@ TEST(DistinctPoints, keeps_the_first_of_equal_points) {
   const std::vector<Point> points = found.take();
   EXPECT_EQ(points, (std::vector<Point>{{1, 0}, {0, 1}, {1, 1}}));
   EXPECT_FALSE(std::signbit(points[1].x));
+}
+
+TEST(DistinctPoints, agrees_with_a_set_on_many_points) {
+  constexpr Index kCapacity = 4000;
+  RandomEngine engine = make_engine("test", 1);
+  DistinctPoints found(kCapacity);
+  std::set<std::pair<double, double>> expected;
+  while (found.size() < kCapacity) {
+    const auto x = static_cast<double>(uniform_below(engine, 64));
+    const auto y = static_cast<double>(uniform_below(engine, 64));
+    ASSERT_EQ(found.insert({x, y}), expected.insert({x, y}).second);
+  }
+  EXPECT_EQ(found.take().size(), expected.size());
 }
 
 TEST(DistinctPoints, draws_again_after_a_collision) {

@@ -36,10 +36,12 @@ std::vector<CandidatePair> longest_first(Points points, double scale, const std:
 
 class LmtStage {
  public:
-  LmtStage(const KdOrder& order, const HullEdges& hull, CandidateBlocks& blocks, LmtSkeleton& skeleton)
+  LmtStage(const KdOrder& order, const HullEdges& hull, CandidateBlocks& blocks, const Context& context,
+           LmtSkeleton& skeleton)
       : order_(order),
         hull_(hull),
         blocks_(blocks),
+        context_(context),
         skeleton_(skeleton),
         scale_(distance_scale(order)),
         incoming_(blocks.block_count()) {}
@@ -89,6 +91,7 @@ class LmtStage {
   }
 
   NodeResult process_block(std::uint32_t block) {
+    if (context_.deadline_passed()) throw SearchStopped("the deadline passed during the LMT stage");
     const std::uint32_t node = blocks_.first_block_node + block;
     std::vector<std::uint32_t> arena = build_stars(node, block);
     NodeResult result;
@@ -159,6 +162,7 @@ class LmtStage {
   const KdOrder& order_;
   const HullEdges& hull_;
   CandidateBlocks& blocks_;
+  const Context& context_;
   LmtSkeleton& skeleton_;
   double scale_;
   std::vector<std::vector<CandidatePair>> incoming_;  // edges from earlier blocks, by block
@@ -166,9 +170,10 @@ class LmtStage {
 
 }  // namespace
 
-LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, CandidateBlocks blocks) {
+LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, CandidateBlocks blocks,
+                              const Context& context) {
   LmtSkeleton skeleton;
-  LmtStage(order, hull, blocks, skeleton).run();
+  LmtStage(order, hull, blocks, context, skeleton).run();
   return skeleton;
 }
 

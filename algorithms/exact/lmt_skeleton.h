@@ -1,7 +1,7 @@
 // Second stage of the exact solver: the locally minimal triangulation (LMT) skeleton.
 #pragma once
 
-#include "algorithms/exact/diamond_test.h"
+#include "algorithms/exact/diamond_candidates.h"
 #include "algorithms/exact/lmt_kernels.h"
 #include "algorithms/exact/stars.h"
 
@@ -18,6 +18,8 @@ struct LmtSkeleton {
 /// Edges within a block first, longest first, blocks in parallel; then, up the k-d tree, the edges between a node's two
 /// children: an edge touches the stars of its two ends only, so nodes of one level do not disturb each other, and the
 /// result does not depend on the number of threads. Runs on the threads of the enclosing task arena.
-[[nodiscard]] LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, CandidateBlocks blocks);
+/// Throws SearchStopped after the context's deadline.
+[[nodiscard]] LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, CandidateBlocks blocks,
+                                            const Context& context);
 
 }  // namespace mwt

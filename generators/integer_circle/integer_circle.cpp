@@ -15,7 +15,7 @@ struct Circle {
   Index points;  // with integer coordinates
 };
 
-// 5, 5 13, 5 13 17, 5^3 13 17, then times 29, 37, 41, 53, times 5 61 / 5, and times 13. None is a square or twice one.
+// 5, 5 13, 5 13 17, 5^3 13 17, then one more prime each: 29, 37, 41, 53, 61, 13 again. None is a square or twice one.
 constexpr Circle kCircles[] = {{5, 8},
                                {65, 16},
                                {1105, 32},
