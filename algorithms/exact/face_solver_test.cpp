@@ -305,7 +305,9 @@ struct Pipeline {
     HullEdges hull{std::vector<Index>(points.size(), kNoIndex)};
     const std::vector<Index> cycle = convex_hull(order.points);
     for (std::size_t i = 0; i < cycle.size(); ++i) hull.next[cycle[i]] = cycle[(i + 1) % cycle.size()];
-    graph = mark_certain_edges(order.points, find_lmt_skeleton(order, hull, find_diamond_candidates(order)).stars);
+    const Context context;
+    CandidateBlocks blocks = DiamondTest(order).find_candidates(context);
+    graph = mark_certain_edges(order.points, find_lmt_skeleton(order, hull, std::move(blocks), context).stars);
   }
   KdOrder order;
   CandidateGraph graph;

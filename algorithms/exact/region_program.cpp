@@ -4,6 +4,7 @@
 #include <numeric>
 #include <span>
 
+#include "algorithms/exact/consistent_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
@@ -85,7 +86,7 @@ void add_empty_triangles(const LocalRegion& local, Index a, std::vector<Triangle
 }
 
 std::optional<std::vector<Triangle>> empty_triangles_of(const LocalRegion& local, std::size_t limit,
-                                                           const Deadline& deadline) {
+                                                        const Deadline& deadline) {
   std::vector<Triangle> triangles;
   for (Index a = 0; a < local.vertices.size(); ++a) {
     add_empty_triangles(local, a, triangles);
@@ -124,8 +125,9 @@ RegionSolution solve_region(Points points, const FaceRegion& region, const Deadl
   const LocalRegion local = localise(points, region);
   const auto triangles = empty_triangles_of(local, kMaximumProgramTriangles, deadline);
   if (!triangles) return leave_unsolved(points, region);
+  const std::vector<Triangle> consistent = consistent_triangles(local.points, *triangles, local.boundary);
   const TriangleCover cover =
-      lightest_triangle_cover({local.points, *triangles, local.boundary, region.triangle_count(), deadline});
+      lightest_triangle_cover({local.points, consistent, local.boundary, region.triangle_count(), deadline});
   RegionSolution result;
   result.triangles = cover.triangles.empty() ? fill_region(points, region) : in_instance(local, cover.triangles);
   result.diagonals = diagonals_length(points, region, result.triangles);
