@@ -85,7 +85,7 @@ void add_empty_triangles(const LocalRegion& local, Index a, std::vector<Triangle
 }
 
 std::optional<std::vector<Triangle>> empty_triangles_of(const LocalRegion& local, std::size_t limit,
-                                                           const Deadline& deadline) {
+                                                        const Deadline& deadline) {
   std::vector<Triangle> triangles;
   for (Index a = 0; a < local.vertices.size(); ++a) {
     add_empty_triangles(local, a, triangles);
