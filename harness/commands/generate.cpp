@@ -18,9 +18,13 @@ struct Options {
 };
 
 Index number_of_points(const GeneratorInfo& family, const std::optional<Index>& n) {
-  if (n) return *n;
-  if (family.fixed_n == 0) throw InputError(family.name + " comes in many sizes; give --n");
-  return family.fixed_n;
+  if (!n && family.fixed_n == 0) throw InputError(family.name + " comes in many sizes; give --n");
+  const Index number = n.value_or(family.fixed_n);
+  if (number < family.smallest_n) {
+    throw InputError(family.name + " has no instance of " + std::to_string(number) + " points; its smallest has " +
+                     std::to_string(family.smallest_n));
+  }
+  return number;
 }
 
 int generate_points(const Options& options) {
