@@ -1,12 +1,31 @@
 #include "algorithms/registry.h"
 
+#include "algorithms/delaunay/delaunay.h"
+#include "algorithms/exact/exact.h"
+#include "algorithms/flip_report/flip_report.h"
+#include "algorithms/greedy/greedy.h"
+#include "algorithms/greedy_report/greedy_report.h"
+#include "algorithms/hull_insertion/hull_insertion.h"
+#include "algorithms/polygon_dp/polygon_dp.h"
+#include "algorithms/quadtree/quadtree.h"
+#include "algorithms/sweep/sweep.h"
 #include "geometry/error.h"
 
 namespace mwt {
 
 // Each algorithm's folder has a header that declares its entry: `AlgorithmInfo x_entry();`.
 std::span<const AlgorithmInfo> algorithms() {
-  static const std::vector<AlgorithmInfo> entries = {};
+  static const std::vector<AlgorithmInfo> entries = {
+      delaunay_entry(),
+      sweep_entry(),
+      greedy_report_entry(),
+      greedy_entry(),
+      polygon_dp_entry(),
+      hull_insertion_entry(),
+      flip_report_entry(),
+      quadtree_entry(),
+      exact_entry(),
+  };
   return entries;
 }
 

@@ -93,9 +93,7 @@ class Unprivileged {
     constexpr uid_t kNobody = 65534;
     EXPECT_TRUE(!was_root_ || ::seteuid(kNobody) == 0);
   }
-  ~Unprivileged() {
-    EXPECT_TRUE(!was_root_ || ::seteuid(0) == 0);
-  }
+  ~Unprivileged() { EXPECT_TRUE(!was_root_ || ::seteuid(0) == 0); }
   Unprivileged(const Unprivileged&) = delete;
   Unprivileged& operator=(const Unprivileged&) = delete;
 

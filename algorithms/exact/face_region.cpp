@@ -178,7 +178,7 @@ std::vector<Triangle> fill_region(Points points, const FaceRegion& region) {
   return triangles;
 }
 
-Interval diagonals_length(Points points, const FaceRegion& region, const std::vector<Triangle>& triangles) {
+LengthSum diagonals_length(Points points, const FaceRegion& region, const std::vector<Triangle>& triangles) {
   const std::vector<Edge> boundary = sorted_boundary(region);
   LengthSum sum;
   for (const Triangle& triangle : triangles) {
@@ -188,7 +188,7 @@ Interval diagonals_length(Points points, const FaceRegion& region, const std::ve
       if (is_diagonal) sum.add(points[side.a], points[side.b]);
     }
   }
-  return sum.enclosure();
+  return sum;
 }
 
 double lower_bound_of_diagonals(Points points, const FaceRegion& region) {

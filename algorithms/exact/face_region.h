@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "algorithms/exact/face_walk.h"
-#include "geometry/interval.h"
 #include "geometry/triangulation.h"
+#include "geometry/weight.h"
 
 namespace mwt {
 
@@ -39,8 +39,8 @@ using Walk = std::vector<Corner>;
 [[nodiscard]] std::vector<Triangle> fill_region(Points points, const FaceRegion& region);
 
 /// The total length of the triangles' sides that are not the region's boundary, each once.
-[[nodiscard]] Interval diagonals_length(Points points, const FaceRegion& region,
-                                        const std::vector<Triangle>& triangles);
+[[nodiscard]] LengthSum diagonals_length(Points points, const FaceRegion& region,
+                                         const std::vector<Triangle>& triangles);
 
 /// A lower bound on the total length of the diagonals of any triangulation of the region by candidates: that of as many
 /// of the shortest candidates as there must be diagonals.

@@ -219,7 +219,8 @@ void FaceSolver::solve_regions() {
       tbb::simple_partitioner());
 }
 
-// Certain edges and polygons' diagonals are exact up to rounding; regions have intervals of their own.
+// Certain edges and polygons' diagonals are exact up to rounding; regions have lower bounds of their own. The upper end
+// is the weight of the triangulation.
 Interval FaceSolver::optimum() const {
   LengthSum exact;
   for (const Part& part : parts_) {
@@ -227,15 +228,14 @@ Interval FaceSolver::optimum() const {
     exact.add(part.solved.diagonals);
   }
   if (regions_.empty()) return exact.enclosure();
-  DoubleDouble lower, upper;
+  DoubleDouble lower = exact.enclosure().lower;
   for (const RegionSolution& region : regions_) {
-    lower += region.diagonals.lower;
-    upper += region.diagonals.upper;
+    lower += region.lower_bound;
+    exact.add(region.diagonals);
   }
   const double error = static_cast<double>(regions_.size() + 8) * kDoubleDoubleError;
-  const Interval least = enclose(lower, error);
-  const Interval most = enclose(upper, error);
-  return exact.enclosure() + Interval{least.lower, most.upper};
+  const Interval weight = exact.enclosure();
+  return {std::min(enclose(lower, error).lower, weight.lower), weight.upper};
 }
 
 void FaceSolver::assemble(FaceSolution& solution) {

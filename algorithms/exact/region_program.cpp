@@ -123,8 +123,8 @@ std::optional<std::vector<Triangle>> empty_candidate_triangles(Points points, co
 RegionSolution leave_unsolved(Points points, const FaceRegion& region) {
   RegionSolution result;
   result.triangles = fill_region(points, region);
-  result.diagonals.upper = diagonals_length(points, region, result.triangles).upper;
-  result.diagonals.lower = std::min(lower_bound_of_diagonals(points, region), result.diagonals.upper);
+  result.diagonals = diagonals_length(points, region, result.triangles);
+  result.lower_bound = lower_bound_of_diagonals(points, region);
   return result;
 }
 
@@ -135,16 +135,10 @@ RegionSolution solve_region(Points points, const FaceRegion& region, const Deadl
   const TriangleCover cover =
       lightest_triangle_cover({local.points, *triangles, local.boundary, region.triangle_count(), deadline});
   RegionSolution result;
-  if (cover.triangles.empty()) {
-    result = leave_unsolved(points, region);
-  } else {
-    result.triangles = in_instance(local, cover.triangles);
-    result.diagonals.upper = diagonals_length(points, region, result.triangles).upper;
-    result.diagonals.lower = lower_bound_of_diagonals(points, region);
-  }
-  const Interval boundary = boundary_length(points, region);
-  const double lower = next_down(cover.optimum.lower - boundary.upper);
-  result.diagonals.lower = std::min(std::max(result.diagonals.lower, lower), result.diagonals.upper);
+  result.triangles = cover.triangles.empty() ? fill_region(points, region) : in_instance(local, cover.triangles);
+  result.diagonals = diagonals_length(points, region, result.triangles);
+  const double lower_bound = next_down(cover.optimum.lower - boundary_length(points, region).upper);
+  result.lower_bound = std::max(lower_bound, lower_bound_of_diagonals(points, region));
   result.solved = cover.proved;
   result.programs = cover.programs;
   result.branchings = cover.branchings;

@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "algorithms/exact/face_region.h"
-#include "geometry/interval.h"
+#include "geometry/weight.h"
 
 namespace mwt {
 
 struct RegionSolution {
   std::vector<Triangle> triangles;  ///< always a triangulation of the region
-  Interval diagonals;               ///< certified bounds on the total length of the best triangulation's diagonals
-  bool solved = false;              ///< `triangles` is the best one, up to the interval
+  LengthSum diagonals;              ///< their total length, each once
+  double lower_bound = 0;           ///< certified, on that of any triangulation by candidates
+  bool solved = false;              ///< `triangles` is the best one, up to the interval between the two
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
 };
