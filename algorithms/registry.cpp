@@ -1,5 +1,6 @@
 #include "algorithms/registry.h"
 
+#include "algorithms/brute_force/brute_force.h"
 #include "algorithms/delaunay/delaunay.h"
 #include "algorithms/exact/exact.h"
 #include "algorithms/flip_report/flip_report.h"
@@ -8,7 +9,9 @@
 #include "algorithms/hull_insertion/hull_insertion.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
 #include "algorithms/quadtree/quadtree.h"
+#include "algorithms/subset_dp/subset_dp.h"
 #include "algorithms/sweep/sweep.h"
+#include "algorithms/triangle_lp/triangle_lp.h"
 #include "geometry/error.h"
 
 namespace mwt {
@@ -24,6 +27,9 @@ std::span<const AlgorithmInfo> algorithms() {
       hull_insertion_entry(),
       flip_report_entry(),
       quadtree_entry(),
+      brute_force_entry(),
+      subset_dp_entry(),
+      triangle_lp_entry(),
       exact_entry(),
   };
   return entries;

@@ -12,7 +12,7 @@ using Entry = LinearProgram::Entry;
 using Method = LinearProgram::Method;
 
 // The gap between the relaxation's value and the certified bound, relative to the value, at which refinement rests.
-constexpr double kRestingGap = 0x1p-46;
+constexpr double kRestingGap = 0x1p-44;
 // So many rounds in a row that neither bring new columns nor halve the gap end the refinement.
 constexpr int kPatience = 3;
 
@@ -26,11 +26,13 @@ bool is_forward(Side side) { return side == forward_side(edge_of(side)); }
 
 }  // namespace
 
-CoverProgram::CoverProgram(const CoverModel& model, std::span<const std::uint32_t> first_columns,
+CoverProgram::CoverProgram(const CoverModel& model, CoverCredits credits, std::span<const std::uint32_t> first_columns,
                            const Deadline& deadline)
-    : model_(model), deadline_(deadline), empty_cover_cost_(2 * model.largest_cover_cost) {
+    : model_(model),
+      deadline_(deadline),
+      credits_(std::move(credits)),
+      empty_cover_cost_(2 * model.largest_cover_cost) {
   const std::size_t edges = model.edges.size();
-  credits_ = {std::vector<double>(2 * edges, 0), std::vector<EdgeDecision>(edges, EdgeDecision::open)};
   is_active_.assign(model.columns.size(), 0);
   boundary_row_.assign(2 * edges, kNone);
   balance_row_.assign(edges, kNone);
@@ -99,15 +101,25 @@ void CoverProgram::decide(std::uint32_t edge, EdgeDecision decision) {
   update_empty_cover();
 }
 
+// GLPK's tolerance is relative to the largest cost, so costs that are too large to matter are cut. After pricing,
+// `scale` has made every reduced cost at least -2, so that no cover gains more than twice its triangles by leaving the
+// last optimum: dearer columns stay out of it whatever exactly they cost.
+double CoverProgram::largest_useful_cost(double scale) const {
+  constexpr double kMargin = 8;
+  const bool priced = -scale * pricing_.worst >= 1;
+  return priced ? 2 * kMargin * static_cast<double>(model_.triangle_count) : std::numeric_limits<double>::max();
+}
+
 void CoverProgram::set_reduced_costs(double scale) {
   double certain_credit = 0;
   for (Side side = 0; side < credits_.of_side.size(); ++side) {
     const bool covered_once = model_.on_boundary[side] || credits_.decisions[edge_of(side)] == EdgeDecision::in;
     if (covered_once) certain_credit += credits_.of_side[side];
   }
-  std::vector<double> costs{(empty_cover_cost_ - certain_credit) * scale};
+  const double cap = largest_useful_cost(scale);
+  std::vector<double> costs{std::min((empty_cover_cost_ - certain_credit) * scale, cap)};
   for (const std::uint32_t column : active_) {
-    costs.push_back(reduced_cost(model_, credits_, model_.columns[column]) * scale);
+    costs.push_back(std::min(reduced_cost(model_, credits_, model_.columns[column]) * scale, cap));
   }
   program_.set_costs(costs);
 }
@@ -166,6 +178,7 @@ double CoverProgram::solve(double enough) {
   int rounds_without_gain = 0;
   double scale = 1;
   Method method = Method::dual;
+  pricing_ = {};
   while (optimise(method, scale)) {
     pricing_ = price(model_, credits_);
     best = std::max(best, pricing_.lower);

@@ -20,7 +20,9 @@ class CoverProgram {
  public:
   using Deadline = LinearProgram::Deadline;
 
-  CoverProgram(const CoverModel& model, std::span<const std::uint32_t> first_columns, const Deadline& deadline);
+  /// Begins with `credits` as the dual solution and with `first_columns`.
+  CoverProgram(const CoverModel& model, CoverCredits credits, std::span<const std::uint32_t> first_columns,
+               const Deadline& deadline);
 
   /// Forces an inner edge into the covers or out of them, or takes that back.
   void decide(std::uint32_t edge, EdgeDecision decision);
@@ -54,6 +56,7 @@ class CoverProgram {
   int row_of_inner_edge(std::uint32_t edge);
   void update_empty_cover();
   bool optimise(LinearProgram::Method method, double scale);
+  [[nodiscard]] double largest_useful_cost(double scale) const;
   void set_reduced_costs(double scale);
   void add_duals_to_credits(double scale);
   [[nodiscard]] double primal_value() const;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
+#include "algorithms/triangle_lp/cover_balance.h"
 #include "algorithms/triangle_lp/cover_model.h"
 #include "algorithms/triangle_lp/cover_program.h"
 #include "geometry/weight.h"
@@ -38,50 +40,31 @@ Interval weight_of_cover(Points points, const std::vector<Triangle>& triangles) 
   return total_length(points, undirected(sides));
 }
 
-// For each edge, how many shorter edges its ends have: the smaller of the two numbers.
-std::vector<std::uint32_t> nearness_ranks(const CoverModel& model) {
-  std::vector<std::uint32_t> by_length(model.edges.size());
-  for (std::uint32_t e = 0; e < by_length.size(); ++e) by_length[e] = e;
-  const auto length_of = [&](std::uint32_t e) {
-    return model.side_cost[forward_side(e)].high + model.side_cost[backward_side(e)].high;
-  };
-  std::stable_sort(by_length.begin(), by_length.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return length_of(a) < length_of(b); });
-  Index vertices = 0;
-  for (const Edge& edge : model.edges) vertices = std::max(vertices, edge.b + 1);
-  std::vector<std::uint32_t> degree(vertices, 0);
-  std::vector<std::uint32_t> rank(model.edges.size());
-  for (const std::uint32_t e : by_length) {
-    std::uint32_t& a = degree[model.edges[e].a];
-    std::uint32_t& b = degree[model.edges[e].b];
-    rank[e] = std::min(a++, b++);
-  }
-  return rank;
-}
-
-// Columns to begin with: all if they are few, otherwise the triangles on the shortest edges.
-std::vector<std::uint32_t> first_columns(const CoverModel& model) {
-  const std::vector<std::uint32_t> rank = nearness_ranks(model);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ranked;
-  for (std::uint32_t c = 0; c < model.columns.size(); ++c) {
-    const auto [p, q, r] = model.columns[c].sides;
-    ranked.push_back({std::max({rank[edge_of(p)], rank[edge_of(q)], rank[edge_of(r)]}), c});
-  }
-  std::sort(ranked.begin(), ranked.end());
-  const std::size_t wanted = std::max<std::size_t>(500, 3 * model.triangle_count);
-  if (ranked.size() > wanted) ranked.resize(wanted);
+// Columns to begin with: the known cover and those of least reduced cost.
+std::vector<std::uint32_t> first_columns(const CoverModel& model, const CoverCredits& credits,
+                                         std::span<const Triangle> start) {
+  const std::set<Triangle> known(start.begin(), start.end());
   std::vector<std::uint32_t> columns;
-  for (const auto& [r, c] : ranked) columns.push_back(c);
+  std::vector<std::pair<double, std::uint32_t>> ranked;
+  for (std::uint32_t c = 0; c < model.columns.size(); ++c) {
+    if (known.contains(model.columns[c].triangle)) columns.push_back(c);
+    ranked.push_back({reduced_cost(model, credits, model.columns[c]), c});
+  }
+  const auto wanted = std::min(std::max<std::size_t>(500, 10 * model.triangle_count), ranked.size());
+  std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
+  for (std::size_t i = 0; i < wanted; ++i) columns.push_back(ranked[i].second);
   return columns;
 }
 
 // Depth-first search over decisions on edges that the relaxation uses in part.
 class CoverSearch {
  public:
-  CoverSearch(const TriangleCoverProblem& problem)
-      : problem_(problem), model_(problem), program_(model_, first_columns(model_), problem.deadline) {
-    best_.optimum = {0, std::numeric_limits<double>::infinity()};
-  }
+  explicit CoverSearch(const TriangleCoverProblem& problem)
+      : problem_(problem),
+        model_(problem),
+        best_(known_cover(problem)),
+        credits_(balanced_credits(model_, problem, cost_of_start())),
+        program_(model_, credits_, first_columns(model_, credits_, problem.start), problem.deadline) {}
 
   TriangleCover run() {
     const double certain = total_length(problem_.points, undirected(problem_.boundary)).lower;
@@ -92,6 +75,18 @@ class CoverSearch {
   }
 
  private:
+  static TriangleCover known_cover(const TriangleCoverProblem& problem) {
+    TriangleCover known;
+    known.triangles.assign(problem.start.begin(), problem.start.end());
+    known.optimum.upper = known.triangles.empty() ? std::numeric_limits<double>::infinity()
+                                                  : weight_of_cover(problem.points, known.triangles).upper;
+    return known;
+  }
+
+  [[nodiscard]] double cost_of_start() const {
+    return best_.triangles.empty() ? 0 : std::ldexp(best_.optimum.upper, -model_.exponent);
+  }
+
   // Rounded down where the result is too small to be represented exactly.
   [[nodiscard]] double in_original_unit(double lower) const {
     const double result = std::ldexp(lower, model_.exponent);
@@ -139,8 +134,9 @@ class CoverSearch {
 
   const TriangleCoverProblem& problem_;
   const CoverModel model_;
-  CoverProgram program_;
   TriangleCover best_;
+  const CoverCredits credits_;  // to begin with
+  CoverProgram program_;
 };
 
 }  // namespace

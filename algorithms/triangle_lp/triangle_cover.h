@@ -2,8 +2,9 @@
 //
 // x_t in {0, 1} for each candidate triangle t. Every directed boundary edge is the side of exactly one chosen triangle;
 // for every other edge, the chosen triangles on its left are as many as those on its right. The LP relaxation is solved
-// with GLPK; a fractional optimum is branched on. A side costs half its length, on the boundary all of it, so that the
-// objective is the sum of the lengths of the cover's edges, every edge once.
+// with GLPK; a fractional optimum is branched on. A side costs half its length, on the boundary all of it (half again
+// where the edge is part of the boundary in both directions), so that the objective is the sum of the lengths of the
+// cover's edges, every edge once.
 //
 // G. B. Dantzig, A. J. Hoffman, T. C. Hu, "Triangulations (tilings) and certain block triangular matrices",
 // Mathematical Programming 31 (1985).
@@ -20,14 +21,17 @@
 
 namespace mwt {
 
-/// A region to cover. Its boundary is given as directed edges with the region on their left; an edge inside the region
-/// that must be part of the cover stands there in both directions.
+/// A region to cover: connected, possibly with holes, slits and isolated points. Its boundary is given as directed
+/// edges with the region on their left; an edge inside the region that must be part of the cover stands there in both
+/// directions.
 struct TriangleCoverProblem {
   Points points;
   std::span<const Triangle> triangles;  ///< candidates, counter-clockwise, empty of points
   std::span<const Edge> boundary;       ///< directed a -> b (not ordered a < b)
   std::size_t triangle_count = 0;       ///< how many triangles every exact cover has
-  std::optional<std::chrono::steady_clock::time_point> deadline;
+  std::optional<std::chrono::steady_clock::time_point> deadline{};
+  std::span<const Triangle>
+      start{};  ///< a cover by candidates (in the same order of corners), if one is known: it saves time
 };
 
 struct TriangleCover {
@@ -41,7 +45,13 @@ struct TriangleCover {
 
 /// Exact up to the stated interval, whatever GLPK's rounding: the lower end comes from dual values evaluated with
 /// error bounds over all candidates, the upper end is the certified weight of `triangles`. Never throws for numerical
-/// trouble: then the interval is wide. Deterministic. Each thread may call it at the same time as others.
+/// trouble: then the interval is wide. Deterministic, except for the deadline. Each thread may call it at the same time
+/// as others.
+///
+/// Preconditions: candidates are counter-clockwise and closed triangles without further points; `triangle_count` is
+/// right. Candidates outside the region do no harm. Without any cover by candidates the result has no triangles. Time:
+/// dominated by linear programs with about one row per edge in use; 0.1 s for the 17,000 empty triangles of 100 uniform
+/// points. Branching is exponential in the worst case.
 [[nodiscard]] TriangleCover lightest_triangle_cover(const TriangleCoverProblem& problem);
 
 }  // namespace mwt
