@@ -1,13 +1,15 @@
 #!/usr/bin/python3
-"""Figure: the approximation factor alpha by n, one line per algorithm, one panel per family.
+"""Figure: by how much each algorithm exceeds the optimum, alpha - 1 by n, one panel per family.
 
     plots/alpha_by_n.py RESULTS_FOLDER -o FIGURE.svg [--families uniform,clustered] [--algorithms delaunay,greedy_report]
 
 Reads RESULTS_FOLDER/runs.csv (schema: results/README.md) and writes FIGURE.svg and FIGURE.png. A point is the mean over
 instances of the upper end of the certified interval, a bar reaches to the largest; runs without a certified bound are
-not drawn. Needs python3-pandas and python3-matplotlib.
+not drawn. The axis is logarithmic; below its lowest decade everything counts as optimal and lies on the bottom line.
+Needs python3-pandas and python3-matplotlib.
 """
 import argparse
+import math
 import pathlib
 import sys
 
@@ -23,6 +25,8 @@ STYLES = [
     ("#E69F00", "v"), ("#56B4E9", "P"), ("#000000", "X"), ("#999999", "*"),
 ]
 MOST_ALGORITHMS = len(STYLES)
+REPORT_ALGORITHMS = ["hull_insertion", "quadtree", "delaunay", "flip_report", "greedy_report"]
+LOWEST_EXCESS = 1e-5
 TEXT_COLUMNS = ("params", "generator_params")
 
 
@@ -60,23 +64,37 @@ def chosen(column, wanted, default):
 
 
 def default_algorithms(runs):
-    """Those that are not always optimal: a line at 1 says nothing. In the order of the records."""
-    worst = runs.groupby("label", sort=False)["alpha_upper"].max()
-    return list(worst[worst > 1 + 1e-9].index)[:MOST_ALGORITHMS]
+    """The report's own, or, in a study without them, those that are not always optimal."""
+    of_report = [name for name in REPORT_ALGORITHMS if name in set(runs["label"])]
+    worst = runs.groupby("label", sort=False)["alpha_upper"].max() - 1
+    return of_report or list(worst[worst > LOWEST_EXCESS].index)
 
 
 def draw_family(axes, runs, family, algorithms):
     for label, (colour, marker) in zip(algorithms, STYLES):
         cells = runs[(runs["family"] == family) & (runs["label"] == label)].groupby("n")["alpha_upper"]
-        mean, largest = cells.mean(), cells.max()
-        axes.errorbar(mean.index, mean, yerr=[0 * mean, largest - mean], label=label, color=colour, marker=marker,
-                      markersize=5, linewidth=1.4, capsize=2, elinewidth=0.8)
-    axes.axhline(1, color="#666666", linewidth=0.8)
+        mean = (cells.mean() - 1).clip(lower=LOWEST_EXCESS)
+        largest = (cells.max() - 1).clip(lower=LOWEST_EXCESS)
+        axes.vlines(mean.index, mean, largest, color=colour, linewidth=0.9)
+        axes.plot(mean.index, mean, label=label, color=colour, marker=marker, markersize=5, linewidth=1.4, clip_on=False)
     axes.set_xscale("log")
+    axes.set_yscale("log")
     axes.set_title(family, fontsize=10)
     axes.set_xlabel("points n")
     axes.grid(True, linewidth=0.4, color="#dddddd")
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def set_common_scale(all_axes):
+    """The same decades for every panel; the lowest stands for optimal."""
+    highest = max(axes.dataLim.y1 for axes in all_axes)
+    decades = range(round(math.log10(LOWEST_EXCESS)), math.ceil(math.log10(highest)) + 1)
+    ticks = [10.0**decade for decade in decades]
+    labels = ["optimal"] + [f"{100 * tick:g} %" for tick in ticks[1:]]
+    for axes in all_axes:
+        axes.set_ylim(LOWEST_EXCESS, ticks[-1])
+        axes.set_yticks(ticks, labels)
+        axes.minorticks_off()
 
 
 def draw(runs, families, algorithms):
@@ -85,13 +103,15 @@ def draw(runs, families, algorithms):
     figure, all_axes = plt.subplots(rows, columns, figsize=(3.6 * columns, 2.9 * rows + 0.6), squeeze=False)
     for axes, family in zip(all_axes.flat, families):
         draw_family(axes, runs, family, algorithms)
+    set_common_scale(list(all_axes.flat)[:len(families)])
     for axes in list(all_axes.flat)[len(families):]:
         axes.set_visible(False)
     for axes in all_axes[:, 0]:
-        axes.set_ylabel(r"$\alpha = w(T)\,/\,w(T^*)$")
+        axes.set_ylabel(r"excess $\alpha - 1$")
     handles, labels = all_axes.flat[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncol=min(4, len(labels)), frameon=False, fontsize=9)
-    figure.tight_layout(rect=(0, 0.04 + 0.07 * (-(-len(labels) // 4)) / rows, 1, 1))
+    figure.legend(handles, labels, loc="lower center", ncol=min(5, len(labels)), frameon=False, fontsize=9)
+    legend_height_inches = 0.12 + 0.2 * -(-len(labels) // 5)
+    figure.tight_layout(rect=(0, legend_height_inches / figure.get_figheight(), 1, 1))
     return figure
 
 
@@ -100,7 +120,7 @@ def main():
     parser.add_argument("folder", help="results folder of a study")
     parser.add_argument("-o", "--output", required=True, help="figure, .svg; a .png is written beside it")
     parser.add_argument("--families", default="", help="comma-separated; default: uniform, or all if there is none")
-    parser.add_argument("--algorithms", default="", help="comma-separated; default: those that are not always optimal")
+    parser.add_argument("--algorithms", default="", help="comma-separated; default: the report's")
     arguments = parser.parse_args()
 
     runs = with_labels(read_rated_runs(arguments.folder))
