@@ -2,11 +2,13 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cmath>
+#include <iterator>
 #include <mutex>
 
 #include "algorithms/exact/face_region.h"
@@ -272,7 +274,8 @@ void FaceSolver::assemble(FaceSolution& solution) {
 }  // namespace
 
 FaceSolution solve_faces(const CandidateGraph& graph, Context& context) {
-  tbb::task_arena arena(std::max(1, context.threads));
+  // More threads than cores would only wait for each other.
+  tbb::task_arena arena(std::clamp(context.threads, 1, tbb::info::default_concurrency()));
   return arena.execute([&] { return FaceSolver(graph, context).solve(); });
 }
 
