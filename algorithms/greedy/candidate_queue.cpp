@@ -24,7 +24,7 @@ struct KeyedEdge {
 };
 
 // Sorts by (low, high) without comparing: by `high` first, then stably by `low`.
-void sort_by_labels(std::vector<KeyedEdge>& edges) {
+void sort_by_labels(std::span<KeyedEdge> edges) {
   const int place_bits = bits_of(edges.size());
   Index largest = 0;
   for (const KeyedEdge& e : edges) largest = std::max(largest, e.key.high);
@@ -43,13 +43,25 @@ void sort_by_labels(std::vector<KeyedEdge>& edges) {
   std::vector<KeyedEdge> sorted;
   sorted.reserve(edges.size());
   for (const std::uint64_t entry : order) sorted.push_back(edges[entry & place_mask]);
-  edges.swap(sorted);
+  std::copy(sorted.begin(), sorted.end(), edges.begin());
 }
 
-bool all_of_one_exact_length(const std::vector<KeyedEdge>& edges) {
-  return std::all_of(edges.begin(), edges.end(), [&](const KeyedEdge& e) {
-    return e.key.exact && e.key.squared_length == edges.front().key.squared_length;
-  });
+// Whether all edges have equal lengths: exactly known ones, or differences of coordinates that are the same but for
+// signs.
+bool all_of_one_length(std::span<const KeyedEdge> edges, Points points) {
+  return std::all_of(edges.begin(), edges.end(),
+                     [&](const KeyedEdge& e) { return have_equal_lengths(e.key, edges.front().key, points); });
+}
+
+// Sorts edges whose squared lengths are sorted as far as double-doubles go.
+void sort_nearly_equal(std::span<KeyedEdge> edges, Points points) {
+  constexpr std::size_t kManyEdges = 64;
+  if (edges.size() > kManyEdges && all_of_one_length(edges, points)) {
+    sort_by_labels(edges);
+  } else {
+    std::sort(edges.begin(), edges.end(),
+              [&](const KeyedEdge& a, const KeyedEdge& b) { return precedes(a.key, b.key, points); });
+  }
 }
 
 }  // namespace
@@ -107,14 +119,59 @@ void EdgeSorter::sort_exactly(std::size_t first, std::size_t last) {
     const Edge ends = mesh_.labelled_edge(edge(i));
     run.push_back({edge_key(points_, ends.a, ends.b), edge(i)});
   }
-  constexpr std::size_t kManyEdges = 1000;
-  if (run.size() > kManyEdges && all_of_one_exact_length(run)) {
-    sort_by_labels(run);
-  } else {
-    std::sort(run.begin(), run.end(),
-              [&](const KeyedEdge& a, const KeyedEdge& b) { return precedes(a.key, b.key, points_); });
+  std::sort(run.begin(), run.end(),
+            [](const KeyedEdge& a, const KeyedEdge& b) { return a.key.squared_length < b.key.squared_length; });
+  for (std::size_t start = 0, end = 1; start < run.size(); start = end++) {
+    while (end < run.size() && !is_surely_shorter(run[end - 1].key, run[end].key)) ++end;
+    if (end - start > 1) sort_nearly_equal(std::span(run).subspan(start, end - start), points_);
   }
   for (std::size_t i = first; i < last; ++i) keys_[i] = (keys_[i] & ~kEdgeMask) | run[i - first].edge;
+}
+
+// Squared lengths with the same exponent and 6 leading bits share a bucket; all beyond the range in which they can be
+// trusted share the last one or the first. Rounding may put two lengths in the wrong order when they are within a few
+// ulps of each other: those within kMargin of a bucket's start count as belonging to the bucket before.
+namespace {
+
+constexpr int kBucketShift = 46;
+constexpr std::uint64_t kMargin = 64;
+
+std::uint64_t length_bits(const Candidate& candidate) {
+  return std::bit_cast<std::uint64_t>(std::clamp(candidate.key.squared_length.high, 1e-250, 1e290));
+}
+
+}  // namespace
+
+std::uint64_t CandidateHeap::bucket_of(const Candidate& candidate) {
+  return (length_bits(candidate) - kMargin) >> kBucketShift;
+}
+
+std::uint64_t CandidateHeap::least_length_bits(std::uint64_t bucket) { return (bucket << kBucketShift) + kMargin; }
+
+void CandidateHeap::set_long_ones_aside() {
+  open_bucket_ = bucket_of(heap_.front());
+  const auto is_near = [&](const Candidate& candidate) { return bucket_of(candidate) <= open_bucket_; };
+  const auto first_long = std::partition(heap_.begin(), heap_.end(), is_near);
+  for (auto candidate = first_long; candidate != heap_.end(); ++candidate) {
+    waiting_[bucket_of(*candidate)].push_back(*candidate);
+  }
+  heap_.erase(first_long, heap_.end());
+  std::make_heap(heap_.begin(), heap_.end(), later_);
+}
+
+// Keeps the top ahead of everything that waits: certainly, that is by more than rounding.
+void CandidateHeap::open_due_buckets() {
+  while (!waiting_.empty()) {
+    const auto first = waiting_.begin();
+    const bool top_is_ahead =
+        !heap_.empty() && length_bits(heap_.front()) + kMargin / 2 < least_length_bits(first->first);
+    if (top_is_ahead) return;
+    open_bucket_ = first->first;
+    heap_.insert(heap_.end(), first->second.begin(), first->second.end());
+    std::make_heap(heap_.begin(), heap_.end(), later_);
+    waiting_.erase(first);
+  }
+  open_bucket_ = kLastBucket;
 }
 
 }  // namespace mwt

@@ -1,8 +1,9 @@
 // The queue of greedy's candidates: a sorted list of the edges known from the start and a heap of later ones.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <queue>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -51,22 +52,51 @@ class EdgeSorter {
   int dropped_bits_ = 0;
 };
 
-/// Candidates that came up on the way, smallest first.
+/// A priority queue of candidates that came up on the way, for use in increasing order: nothing is pushed that precedes
+/// what was popped before. Once it is large, long candidates wait unsorted in buckets by length, so that the heap
+/// proper stays in the cache.
 class CandidateHeap {
  public:
-  explicit CandidateHeap(Points points) : heap_(Later{points}) {}
+  explicit CandidateHeap(Points points) : later_{points} {}
 
   [[nodiscard]] bool empty() const { return heap_.empty(); }
-  [[nodiscard]] const Candidate& top() const { return heap_.top(); }
-  void push(const Candidate& candidate) { heap_.push(candidate); }
-  void pop() { heap_.pop(); }
+  [[nodiscard]] const Candidate& top() const { return heap_.front(); }
+
+  void push(const Candidate& candidate) {
+    if (const std::uint64_t bucket = bucket_of(candidate); bucket > open_bucket_) {
+      waiting_[bucket].push_back(candidate);
+    } else {
+      heap_.push_back(candidate);
+      std::push_heap(heap_.begin(), heap_.end(), later_);
+      if (heap_.size() > kLargeHeap && open_bucket_ == kLastBucket) set_long_ones_aside();
+    }
+    if (!waiting_.empty()) open_due_buckets();
+  }
+
+  void pop() {
+    std::pop_heap(heap_.begin(), heap_.end(), later_);
+    heap_.pop_back();
+    if (!waiting_.empty()) open_due_buckets();
+  }
 
  private:
+  static constexpr std::size_t kLargeHeap = 4096;
+  static constexpr std::uint64_t kLastBucket = ~std::uint64_t{0};
+
   struct Later {
     Points points;
     bool operator()(const Candidate& a, const Candidate& b) const { return precedes(b.key, a.key, points); }
   };
-  std::priority_queue<Candidate, std::vector<Candidate>, Later> heap_;
+
+  [[nodiscard]] static std::uint64_t bucket_of(const Candidate& candidate);
+  [[nodiscard]] static std::uint64_t least_length_bits(std::uint64_t bucket);
+  void set_long_ones_aside();
+  void open_due_buckets();
+
+  Later later_;
+  std::vector<Candidate> heap_;
+  std::uint64_t open_bucket_ = kLastBucket;  // candidates of this bucket and of those before it go to the heap
+  std::map<std::uint64_t, std::vector<Candidate>> waiting_;
 };
 
 }  // namespace mwt

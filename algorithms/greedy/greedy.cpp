@@ -135,6 +135,7 @@ class GreedyBuilder {
   void take_from_heap() {
     const Candidate candidate = heap_.top();
     heap_.pop();
+    if (!heap_.empty()) mesh_.prefetch(edge_of(heap_.top().place));
     if (candidate.kind == Candidate::Kind::ear) return insert_ear(candidate);
     const MeshEdge e = edge_of(candidate.place);
     const Edge edge = mesh_.labelled_edge(e);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "geometry/predicates.h"
 
@@ -26,22 +27,30 @@ std::array<DoubleDouble, 2> shape(const Point& p, const Point& q) {
   return x < y ? std::array{x, y} : std::array{y, x};
 }
 
+bool is_trusted(double squared_length) { return squared_length > kSmallestTrusted && squared_length < kLargestTrusted; }
+
 // -1, 0, +1 as the first edge is shorter, equal or longer.
 int compare_lengths(const EdgeKey& one, const EdgeKey& two, Points points) {
-  const DoubleDouble& a = one.squared_length;
-  const DoubleDouble& b = two.squared_length;
-  const double sum = a.high + b.high;
-  if (sum > kSmallestTrusted && sum < kLargestTrusted) {
-    if (one.exact && two.exact) return a < b ? -1 : b < a ? 1 : 0;
-    const DoubleDouble difference = a - b;
-    if (std::abs(difference.high) > 0x1p-95 * sum) return difference.high < 0 ? -1 : 1;
-  }
-  const Point &p = points[one.low], &q = points[one.high], &r = points[two.low], &s = points[two.high];
-  if (shape(p, q) == shape(r, s)) return 0;
-  return detail::compare_length_exact(p, q, r, s);
+  if (is_surely_shorter(one, two)) return -1;
+  if (is_surely_shorter(two, one)) return 1;
+  if (have_equal_lengths(one, two, points)) return 0;
+  return detail::compare_length_exact(points[one.low], points[one.high], points[two.low], points[two.high]);
 }
 
 }  // namespace
+
+bool is_surely_shorter(const EdgeKey& one, const EdgeKey& two) {
+  const DoubleDouble& a = one.squared_length;
+  const DoubleDouble& b = two.squared_length;
+  if (!is_trusted(a.high) || !is_trusted(b.high)) return false;
+  if (one.exact && two.exact) return a < b;
+  return (a - b).high < -0x1p-95 * (a.high + b.high);
+}
+
+bool have_equal_lengths(const EdgeKey& one, const EdgeKey& two, Points points) {
+  if (one.exact && two.exact) return one.squared_length == two.squared_length;
+  return shape(points[one.low], points[one.high]) == shape(points[two.low], points[two.high]);
+}
 
 EdgeKey edge_key(Points points, Index a, Index b) {
   const auto [x, y] = differences(points[a], points[b]);
@@ -50,13 +59,14 @@ EdgeKey edge_key(Points points, Index a, Index b) {
   key.high = std::max(a, b);
   const DoubleDouble xx = square(x), yy = square(y);
   key.squared_length = xx + yy;
+  const bool overflowed = !(key.squared_length.high < std::numeric_limits<double>::max());
+  if (overflowed) key.squared_length = std::numeric_limits<double>::infinity();  // not the NaN of inf - inf
   // Squares that fit one double, added without error.
-  const bool in_range = key.squared_length.high > kSmallestTrusted && key.squared_length.high < kLargestTrusted;
   const auto no_underflow = [](const DoubleDouble& part, const DoubleDouble& part_squared) {
     return part.high == 0 || part_squared.high > kSmallestTrusted;
   };
-  key.exact =
-      in_range && x.low == 0 && y.low == 0 && xx.low == 0 && yy.low == 0 && no_underflow(x, xx) && no_underflow(y, yy);
+  key.exact = is_trusted(key.squared_length.high) && x.low == 0 && y.low == 0 && xx.low == 0 && yy.low == 0 &&
+              no_underflow(x, xx) && no_underflow(y, yy);
   return key;
 }
 

@@ -14,6 +14,13 @@ struct EdgeKey {
   bool exact = false;  ///< squared_length is exact
 };
 
+/// Whether the keys alone show that `one` is shorter; transitive.
+[[nodiscard]] bool is_surely_shorter(const EdgeKey& one, const EdgeKey& two);
+
+/// Whether two edges are known to be of equal length without further computation: by exact keys or congruent
+/// differences of coordinates. False does not mean that they differ. An equivalence relation on edges of one kind.
+[[nodiscard]] bool have_equal_lengths(const EdgeKey& one, const EdgeKey& two, Points points);
+
 /// The key of edge ab. Outside [1e-250, 1e290] the squared length is only rough; the comparison then does not rely on
 /// it.
 [[nodiscard]] EdgeKey edge_key(Points points, Index a, Index b);
