@@ -1,5 +1,6 @@
 #include "algorithms/registry.h"
 
+#include "algorithms/flip/flip.h"
 #include "algorithms/greedy/greedy.h"
 #include "geometry/error.h"
 
@@ -9,6 +10,7 @@ namespace mwt {
 std::span<const AlgorithmInfo> algorithms() {
   static const std::vector<AlgorithmInfo> entries = {
       greedy_entry(),
+      flip_entry(),
   };
   return entries;
 }
