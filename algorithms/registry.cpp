@@ -1,7 +1,9 @@
 #include "algorithms/registry.h"
 
+#include "algorithms/annealing/annealing.h"
 #include "algorithms/flip/flip.h"
 #include "algorithms/greedy/greedy.h"
+#include "algorithms/patch/patch.h"
 #include "geometry/error.h"
 
 namespace mwt {
@@ -11,6 +13,8 @@ std::span<const AlgorithmInfo> algorithms() {
   static const std::vector<AlgorithmInfo> entries = {
       greedy_entry(),
       flip_entry(),
+      patch_entry(),
+      annealing_entry(),
   };
   return entries;
 }

@@ -27,7 +27,7 @@ struct FlipResult {
 /// Every flip shortens the triangulation, so this ends; equal diagonals are left alone. The greedy triangulation is a
 /// fixed point: the shorter diagonal of a convex quadrilateral all of whose sides greedy chose was tried first. Time
 /// O(n) plus O(1) per flip for `stack`, O(log n) for `best`; the number of flips is linear in practice, O(n^2) known.
-/// Deterministic. Marks of the mesh are kept.
+/// Deterministic.
 FlipResult flip_to_local_optimum(PlanarMesh& mesh, FlipOrder order, const Context& context, bool with_trace = false);
 
 /// Whether some flip would shorten the triangulation. Exact. O(n).
