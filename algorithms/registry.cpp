@@ -1,9 +1,16 @@
 #include "algorithms/registry.h"
 
 #include "algorithms/annealing/annealing.h"
+#include "algorithms/delaunay/delaunay.h"
 #include "algorithms/flip/flip.h"
+#include "algorithms/flip_report/flip_report.h"
 #include "algorithms/greedy/greedy.h"
+#include "algorithms/greedy_report/greedy_report.h"
+#include "algorithms/hull_insertion/hull_insertion.h"
 #include "algorithms/patch/patch.h"
+#include "algorithms/polygon_dp/polygon_dp.h"
+#include "algorithms/quadtree/quadtree.h"
+#include "algorithms/sweep/sweep.h"
 #include "geometry/error.h"
 
 namespace mwt {
@@ -11,10 +18,9 @@ namespace mwt {
 // Each algorithm's folder has a header that declares its entry: `AlgorithmInfo x_entry();`.
 std::span<const AlgorithmInfo> algorithms() {
   static const std::vector<AlgorithmInfo> entries = {
-      greedy_entry(),
-      flip_entry(),
-      patch_entry(),
-      annealing_entry(),
+      delaunay_entry(),       sweep_entry(),       greedy_report_entry(), polygon_dp_entry(),
+      hull_insertion_entry(), flip_report_entry(), quadtree_entry(),      greedy_entry(),
+      flip_entry(),           patch_entry(),       annealing_entry(),
   };
   return entries;
 }

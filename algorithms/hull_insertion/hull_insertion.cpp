@@ -1,0 +1,106 @@
+#include "algorithms/hull_insertion/hull_insertion.h"
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+
+#include <string>
+#include <utility>
+
+#include "algorithms/hull_insertion/split_distribution.h"
+#include "algorithms/polygon_dp/polygon_dp.h"
+#include "geometry/convex_hull.h"
+
+namespace mwt {
+
+namespace {
+
+std::vector<Index> hull_within_limit(Points points) {
+  std::vector<Index> hull = convex_hull(points);
+  if (hull.size() > kLargestPolygon) {
+    throw NotApplicable("hull_insertion triangulates the hull in O(h^3) time and takes at most " +
+                        std::to_string(kLargestPolygon) + " points on it; this instance has " +
+                        std::to_string(hull.size()));
+  }
+  return hull;
+}
+
+void shuffle(std::vector<Index>& sequence, std::uint64_t seed) {
+  boost::random::mt19937_64 engine(seed);
+  for (std::size_t left = sequence.size(); left > 1; --left) {
+    boost::random::uniform_int_distribution<std::size_t> position(0, left - 1);
+    std::swap(sequence[left - 1], sequence[position(engine)]);
+  }
+}
+
+std::vector<Index> interior_points_in_order(Points points, const std::vector<Index>& hull, InsertionOrder order,
+                                            std::uint64_t seed) {
+  std::vector<bool> on_hull(points.size(), false);
+  for (const Index p : hull) on_hull[p] = true;
+  std::vector<Index> sequence;
+  sequence.reserve(points.size() - hull.size());
+  if (order == InsertionOrder::x) {
+    for (const Index p : lexicographic_order(points)) {
+      if (!on_hull[p]) sequence.push_back(p);
+    }
+    return sequence;
+  }
+  for (Index p = 0; p < points.size(); ++p) {
+    if (!on_hull[p]) sequence.push_back(p);
+  }
+  if (order == InsertionOrder::random) shuffle(sequence, seed);
+  return sequence;
+}
+
+InsertionOrder order_named(const std::string& name) {
+  if (name == "random") return InsertionOrder::random;
+  return name == "x" ? InsertionOrder::x : InsertionOrder::index;
+}
+
+Solution solve(Points points, Context& context) {
+  HullInsertion result = hull_insertion(points, order_named(context.parameters.text("order")), context.seed, context);
+  Solution solution;
+  solution.counters = {{"hull_size", result.hull_size},
+                       {"interior_points", static_cast<double>(points.size() - result.hull_size)},
+                       {"points_on_edges", static_cast<double>(result.points_on_edges)},
+                       {"depth", static_cast<double>(result.depth)}};
+  solution.triangulation = std::move(result.triangulation);
+  return solution;
+}
+
+}  // namespace
+
+HullInsertion hull_insertion(Points points, InsertionOrder order, std::uint64_t seed, Context& context) {
+  const std::vector<Index> hull = hull_within_limit(points);
+  std::vector<Triangle> hull_triangles;
+  {
+    const ScopedPhase phase(context, "hull_dp");
+    hull_triangles = triangulate_polygon(points, hull, PolygonObjective::perimeter).triangles;
+  }
+  const ScopedPhase phase(context, "insertion");
+  SplitTriangles result =
+      insert_by_splitting(points, hull, hull_triangles, interior_points_in_order(points, hull, order, seed));
+  return {{static_cast<Index>(points.size()), std::move(result.triangles)},
+          static_cast<Index>(hull.size()),
+          result.edge_splits / 2,
+          result.depth};
+}
+
+AlgorithmInfo hull_insertion_entry() {
+  AlgorithmInfo info;
+  info.name = "hull_insertion";
+  info.summary = "optimal triangulation of the hull, then interior points inserted by splitting triangles";
+  info.source = "source report, section 5.2";
+  info.guarantee = "none: linear in n in the worst case (family insertion_trap); the report claims O(log n)";
+  info.time = "O(h^3 + n log^2 n)";
+  info.space = "O(h^2 + n)";
+  info.largest_n = 1'000'000;
+  info.parameters = {{"order",
+                      ParameterType::choice,
+                      "index",
+                      "the order in which interior points are inserted: as given, a random one (by the seed), or by x",
+                      {"index", "random", "x"}}};
+  info.function = solve;
+  return info;
+}
+
+}  // namespace mwt

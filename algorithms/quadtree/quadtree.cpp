@@ -1,0 +1,105 @@
+#include "algorithms/quadtree/quadtree.h"
+
+#include <string>
+#include <utility>
+
+#include "algorithms/quadtree/leaf_triangulation.h"
+#include "geometry/convex_hull.h"
+#include "geometry/delaunay.h"
+#include "geometry/error.h"
+#include "geometry/quadtree.h"
+
+namespace mwt {
+
+namespace {
+
+std::vector<Point> selected(Points points, std::span<const Index> chosen) {
+  std::vector<Point> result;
+  result.reserve(chosen.size());
+  for (const Index i : chosen) result.push_back(points[i]);
+  return result;
+}
+
+// The edges between neighbours on a line.
+std::vector<Edge> chain_edges(Points points) {
+  const std::vector<Index> order = lexicographic_order(points);
+  std::vector<Edge> edges;
+  for (std::size_t i = 1; i < order.size(); ++i) edges.push_back(make_edge(order[i - 1], order[i]));
+  return edges;
+}
+
+std::vector<Edge> delaunay_edges(Points points, std::span<const Index> chosen) {
+  const std::vector<Point> local = selected(points, chosen);
+  std::vector<Edge> edges = all_collinear(local) ? chain_edges(local) : edges_of(delaunay_triangulation(local));
+  for (Edge& edge : edges) edge = make_edge(chosen[edge.a], chosen[edge.b]);
+  return edges;
+}
+
+Quadtree timed_quadtree(Points points, int capacity, Context& context) {
+  const ScopedPhase phase(context, "grid");
+  return {points, capacity};
+}
+
+// The edges of all leaves' triangulations.
+std::vector<Edge> leaf_edges(Points points, const Quadtree& tree, int capacity, QuadtreeTriangulation& result) {
+  std::vector<Edge> edges;
+  edges.reserve(2 * points.size());
+  for (const Quadtree::Cell& cell : tree.cells()) {
+    if (!cell.is_leaf) continue;
+    ++result.leaves;
+    const std::span<const Index> chosen = tree.points_of(cell);
+    const bool is_overfull = chosen.size() > static_cast<std::size_t>(capacity);
+    result.overfull_leaves += is_overfull ? 1 : 0;
+    const std::vector<Edge> local = is_overfull ? delaunay_edges(points, chosen) : minimum_weight_edges(points, chosen);
+    edges.insert(edges.end(), local.begin(), local.end());
+  }
+  return edges;
+}
+
+Solution solve(Points points, Context& context) {
+  const std::int64_t capacity = context.parameters.integer("capacity");
+  if (capacity < 1 || capacity > kLargestLeaf) {
+    throw InputError("quadtree: parameter capacity=" + std::to_string(capacity) + " is not between 1 and " +
+                     std::to_string(kLargestLeaf));
+  }
+  QuadtreeTriangulation result = quadtree_triangulation(points, static_cast<int>(capacity), context);
+  Solution solution;
+  solution.triangulation = std::move(result.triangulation);
+  solution.counters = {{"leaves", static_cast<double>(result.leaves)},
+                       {"constraints", static_cast<double>(result.constraints)},
+                       {"overfull_leaves", static_cast<double>(result.overfull_leaves)}};
+  return solution;
+}
+
+}  // namespace
+
+QuadtreeTriangulation quadtree_triangulation(Points points, int capacity, Context& context) {
+  QuadtreeTriangulation result;
+  const Quadtree tree = timed_quadtree(points, capacity, context);
+  std::vector<Edge> constraints;
+  {
+    const ScopedPhase phase(context, "leaves");
+    constraints = leaf_edges(points, tree, capacity, result);
+  }
+  result.constraints = constraints.size();
+  const ScopedPhase phase(context, "merge");
+  result.triangulation = constrained_delaunay_triangulation(points, constraints);
+  return result;
+}
+
+AlgorithmInfo quadtree_entry() {
+  AlgorithmInfo info;
+  info.name = "quadtree";
+  info.summary = "optimal in the leaves of a quadtree, merged by a constrained Delaunay triangulation";
+  info.source = "source report, section 5.4";
+  info.guarantee = "none known";
+  info.time = "O(n log n)";
+  info.space = "O(n)";
+  info.largest_n = 1'000'000;
+  info.parameters = {
+      {"capacity", ParameterType::integer, "4", "points per leaf, 1 to " + std::to_string(kLargestLeaf), {}}};
+  info.function = solve;
+  return info;
+}
+
+}  // namespace mwt
