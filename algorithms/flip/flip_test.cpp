@@ -33,7 +33,7 @@ TEST(Flip, EndsAtAValidLocalOptimumOnAllShapes) {
   for (const Shape& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
-      for (const std::string start : {"delaunay", "random"}) {
+      for (const std::string start : {"delaunay", "sweep", "quadtree", "random"}) {
         for (const std::string order : {"stack", "best"}) {
           const Solution solution = solve(points, {{"start", start}, {"order", order}});
           const auto violation = find_violation(points, solution.triangulation);
@@ -78,6 +78,14 @@ TEST(Flip, TakesTheLargestGainFirst) {
   // The stack's first flip was possible at the start, so it gains no more.
   EXPECT_LE(solve(points, {{"trace", "on"}}).flips.front().gain, best.flips.front().gain);
   EXPECT_LE(weight(points, best.triangulation).upper, weight(points, solve(points, {}).triangulation).lower);
+}
+
+TEST(Flip, StartsFromHullInsertion) {
+  const std::vector<Point> points = make_shape(shapes().front(), 300, 3);
+  const Solution solution = solve(points, {{"start", "hull_insertion"}});
+  EXPECT_FALSE(find_violation(points, solution.triangulation));
+  EXPECT_GT(solution.counters.at("flips"), 0);
+  EXPECT_TRUE(is_flip_optimal(PlanarMesh(points, solution.triangulation)));
 }
 
 TEST(Flip, StartsFromAGivenTriangulation) {

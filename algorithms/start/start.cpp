@@ -4,7 +4,10 @@
 #include <boost/random/uniform_int_distribution.hpp>
 
 #include "algorithms/greedy/greedy.h"
+#include "algorithms/hull_insertion/hull_insertion.h"
+#include "algorithms/quadtree/quadtree.h"
 #include "algorithms/start/walls.h"
+#include "algorithms/sweep/sweep.h"
 #include "geometry/error.h"
 
 namespace mwt {
@@ -13,8 +16,8 @@ ParameterInfo start_parameter(const std::string& default_value) {
   return {"start",
           ParameterType::text,
           default_value,
-          "the triangulation to start from: delaunay, greedy, random (10 n random flips from Delaunay) or a file",
-          {"delaunay", "greedy", "random"}};
+          "the triangulation to start from: an algorithm's, random (10 n random flips from Delaunay) or a file",
+          {"delaunay", "sweep", "greedy", "quadtree", "hull_insertion", "random"}};
 }
 
 void flip_at_random(PlanarMesh& mesh, std::uint64_t seed, std::size_t count) {
@@ -36,17 +39,28 @@ void change_delaunay(PlanarMesh& mesh, Points points, const Context& context, co
   if (name == "random") flip_at_random(mesh, context.seed, 10 * points.size());
 }
 
-PlanarMesh given_mesh(Points points, const Context& context, const std::string& name) {
-  if (context.start) return PlanarMesh(points, *context.start);
-  throw InputError("parameter start=" + name +
-                   " is neither delaunay, greedy nor random, and no triangulation was given");
+// What the algorithm yields with its default parameters.
+Triangulation result_of(const AlgorithmInfo& algorithm, Points points, const Context& context) {
+  Context own;
+  own.seed = context.seed;
+  own.threads = context.threads;
+  own.parameters = Parameters(algorithm.name, algorithm.parameters, {});
+  return algorithm.function(points, own).triangulation;
+}
+
+Triangulation other_start(Points points, const Context& context, const std::string& name) {
+  if (name == "sweep") return result_of(sweep_entry(), points, context);
+  if (name == "quadtree") return result_of(quadtree_entry(), points, context);
+  if (name == "hull_insertion") return result_of(hull_insertion_entry(), points, context);
+  if (context.start) return *context.start;
+  throw InputError("parameter start=" + name + " names neither an algorithm nor a file with a triangulation");
 }
 
 }  // namespace
 
 PlanarMesh start_mesh(Points points, const Context& context) {
   const std::string& name = context.parameters.text("start");
-  if (!comes_from_delaunay(name)) return given_mesh(points, context, name);
+  if (!comes_from_delaunay(name)) return PlanarMesh(points, other_start(points, context, name));
   PlanarMesh mesh = PlanarMesh::delaunay(points);
   change_delaunay(mesh, points, context, name);
   return mesh;
@@ -60,7 +74,7 @@ PlanarMesh start_mesh_with_walls(Points points, const Context& context) {
     change_delaunay(delaunay, points, context, name);
     return delaunay;
   }
-  PlanarMesh mesh = given_mesh(points, context, name);
+  PlanarMesh mesh(points, other_start(points, context, name));
   copy_walls(delaunay, mesh);
   return mesh;
 }

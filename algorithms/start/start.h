@@ -13,9 +13,11 @@ namespace mwt {
 
 /// The triangulation that context.parameters.text("start") names:
 ///   delaunay, greedy   as the algorithms of those names;
+///   sweep, quadtree, hull_insertion   as the algorithms of those names with their default parameters;
 ///   random             the Delaunay triangulation after 10 n random flips, seeded by context.seed;
 ///   anything else      a file, whose triangulation the caller has put into context.start.
-/// InputError if there is none. Preconditions: as delaunay_triangulation(). O(n log n).
+/// InputError if there is none; NotApplicable as that algorithm throws it. Preconditions: as delaunay_triangulation().
+/// Time as that algorithm takes.
 [[nodiscard]] PlanarMesh start_mesh(Points points, const Context& context);
 
 /// The same, with kWallMark (walls.h) on its edges that are walls.
