@@ -68,11 +68,11 @@ class ScopedPhase {
 
 struct Solution {
   Triangulation triangulation;
-  std::optional<Interval> optimum;     ///< certified bounds on the weight of a minimum weight triangulation
-  std::optional<std::string> count;    ///< exact number of triangulations, decimal
-  std::vector<Flip> flips;             ///< trace, for algorithms that flip
+  std::optional<Interval> optimum;           ///< certified bounds on the weight of a minimum weight triangulation
+  std::optional<std::string> count;          ///< exact number of triangulations, decimal
+  std::vector<Flip> flips;                   ///< trace, for algorithms that flip
   std::map<std::string, double> counters{};  ///< what was done, by snake_case name
-  bool stopped_early = false;          ///< the deadline cut the work short
+  bool stopped_early = false;                ///< the deadline cut the work short
 };
 
 using AlgorithmFunction = Solution (*)(Points points, Context& context);

@@ -2,6 +2,7 @@
 
 #include "algorithms/annealing/annealing.h"
 #include "algorithms/delaunay/delaunay.h"
+#include "algorithms/exact/exact.h"
 #include "algorithms/flip/flip.h"
 #include "algorithms/flip_report/flip_report.h"
 #include "algorithms/greedy/greedy.h"
@@ -18,9 +19,9 @@ namespace mwt {
 // Each algorithm's folder has a header that declares its entry: `AlgorithmInfo x_entry();`.
 std::span<const AlgorithmInfo> algorithms() {
   static const std::vector<AlgorithmInfo> entries = {
-      delaunay_entry(),       sweep_entry(),       greedy_report_entry(), polygon_dp_entry(),
-      hull_insertion_entry(), flip_report_entry(), quadtree_entry(),      greedy_entry(),
-      flip_entry(),           patch_entry(),       annealing_entry(),
+      delaunay_entry(),   sweep_entry(),          greedy_report_entry(), greedy_entry(),
+      polygon_dp_entry(), hull_insertion_entry(), flip_report_entry(),   flip_entry(),
+      patch_entry(),      annealing_entry(),      quadtree_entry(),      exact_entry(),
   };
   return entries;
 }

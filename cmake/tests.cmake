@@ -15,8 +15,14 @@ function(mwt_add_tests floor)
                        TEST_LIST ${floor}_slow_tests PROPERTIES LABELS slow TIMEOUT 3000)
 endfunction()
 
-mwt_add_tests(geometry mwt_geometry)
-mwt_add_tests(generators mwt_generators)
+# CGAL: only as an opinion to compare hulls with.
+mwt_add_tests(geometry mwt_geometry CGAL::CGAL)
+mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not know each other; only their tests meet.
 mwt_add_tests(algorithms mwt_algorithms mwt_generators)
 mwt_add_tests(harness mwt_harness)
+# The harness's tests also run the program as its users do.
+if(TARGET harness_test)
+  target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>")
+  add_dependencies(harness_test mwt)
+endif()

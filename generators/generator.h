@@ -23,7 +23,7 @@ struct GeneratorInfo {
   std::string law;       ///< known optimum or growth law of alpha, or "none known"
   Index smallest_n = 3;
   Index largest_n = 0;  ///< largest n that double precision carries
-  Index fixed_n = 0;    ///< for a named instance its only n, else 0
+  Index fixed_n = 0;    ///< for a named instance its only n (then also smallest_n and largest_n), else 0
   bool seeded = true;   ///< whether the seed changes the points
   std::vector<ParameterInfo> parameters;
   GeneratorFunction function = nullptr;

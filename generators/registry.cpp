@@ -1,14 +1,52 @@
 #include "generators/registry.h"
 
-#include <algorithm>
-#include <array>
-
+#include "generators/arguments.h"
+#include "generators/circle/circle.h"
+#include "generators/clustered/clustered.h"
+#include "generators/collinear_rows/collinear_rows.h"
+#include "generators/fan/fan.h"
+#include "generators/far_from_origin/far_from_origin.h"
+#include "generators/greedy_corridor/greedy_corridor.h"
+#include "generators/grid/grid.h"
+#include "generators/hull_bound_counterexample/hull_bound_counterexample.h"
+#include "generators/integer_circle/integer_circle.h"
+#include "generators/integer_uniform/integer_uniform.h"
+#include "generators/jittered_grid/jittered_grid.h"
+#include "generators/lattice/lattice.h"
+#include "generators/local_search_figure/local_search_figure.h"
+#include "generators/near_collinear/near_collinear.h"
+#include "generators/normal/normal.h"
+#include "generators/report_example/report_example.h"
+#include "generators/uniform/uniform.h"
+#include "generators/uniform_disc/uniform_disc.h"
+#include "generators/wheel/wheel.h"
+#include "generators/with_duplicates/with_duplicates.h"
 #include "geometry/error.h"
 
 namespace mwt {
 
 std::span<const GeneratorInfo> generators() {
   static const std::vector<GeneratorInfo> entries = {
+      uniform_entry(),
+      uniform_disc_entry(),
+      normal_entry(),
+      clustered_entry(),
+      grid_entry(),
+      jittered_grid_entry(),
+      lattice_entry(),
+      integer_uniform_entry(),
+      circle_entry(),
+      integer_circle_entry(),
+      wheel_entry(),
+      collinear_rows_entry(),
+      near_collinear_entry(),
+      fan_entry(),
+      with_duplicates_entry(),
+      far_from_origin_entry(),
+      greedy_corridor_entry(),
+      report_example_entry(),
+      local_search_figure_entry(),
+      hull_bound_counterexample_entry(),
   };
   return entries;
 }
@@ -20,6 +58,13 @@ const GeneratorInfo& find_generator(const std::string& name) {
     known += (known.empty() ? "" : ", ") + entry.name;
   }
   throw InputError("unknown generator '" + name + "'; known: " + known);
+}
+
+std::vector<Point> generate(const std::string& family, Index n, std::uint64_t seed,
+                            const std::map<std::string, std::string>& parameters) {
+  const GeneratorInfo& entry = find_generator(family);
+  require_size(family, n, entry.smallest_n, entry.largest_n);
+  return entry.function(n, seed, Parameters(family, entry.parameters, parameters));
 }
 
 }  // namespace mwt

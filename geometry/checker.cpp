@@ -1,29 +1,17 @@
 #include "geometry/checker.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <sstream>
-#include <unordered_set>
 
 #include "geometry/convex_hull.h"
 #include "geometry/predicates.h"
+#include "geometry/triangle_sides.h"
 
 namespace mwt {
 
 namespace {
 
 using Result = std::optional<Violation>;
-
-// A directed side and the position of its triangle, sorted by the side.
-struct DirectedSide {
-  std::uint64_t key;
-  std::size_t triangle;
-};
-
-std::uint64_t key_of(Index from, Index to) { return (std::uint64_t{from} << 32) | to; }
-Index from_of(std::uint64_t key) { return static_cast<Index>(key >> 32); }
-Index to_of(std::uint64_t key) { return static_cast<Index>(key & 0xffffffffU); }
-std::uint64_t reversed(std::uint64_t key) { return key_of(to_of(key), from_of(key)); }
 
 template <class... Parts>
 Violation violation(TriangulationRule rule, const Parts&... parts) {
@@ -39,10 +27,14 @@ std::string show(const Triangle& triangle) {
   return text.str();
 }
 
-std::string show_side(std::uint64_t key) {
+std::string show_side(Index from, Index to) {
   std::ostringstream text;
-  text << from_of(key) << " -> " << to_of(key);
+  text << from << " -> " << to;
   return text.str();
+}
+
+std::string show_side(Index smaller_end, const TriangleSide& side) {
+  return side.is_ascending ? show_side(smaller_end, side.other_end) : show_side(side.other_end, smaller_end);
 }
 
 Result check_indices(Points points, const Triangulation& triangulation) {
@@ -73,44 +65,56 @@ Result check_orientations(Points points, const Triangulation& triangulation) {
   return {};
 }
 
-std::vector<DirectedSide> sorted_sides(const Triangulation& triangulation) {
-  std::vector<DirectedSide> sides;
-  sides.reserve(3 * triangulation.triangles.size());
-  for (std::size_t t = 0; t < triangulation.triangles.size(); ++t) {
-    const auto [a, b, c] = triangulation.triangles[t];
-    for (const std::uint64_t key : {key_of(a, b), key_of(b, c), key_of(c, a)}) sides.push_back({key, t});
-  }
-  std::sort(sides.begin(), sides.end(), [](const DirectedSide& a, const DirectedSide& b) { return a.key < b.key; });
-  return sides;
-}
-
-Result check_doubled_sides(const std::vector<DirectedSide>& sides) {
-  const auto doubled = std::adjacent_find(
-      sides.begin(), sides.end(), [](const DirectedSide& a, const DirectedSide& b) { return a.key == b.key; });
-  if (doubled == sides.end()) return {};
-  return violation(TriangulationRule::directed_edge_once, "triangles ", doubled->triangle, " and ",
-                   (doubled + 1)->triangle, " both lie left of edge ", show_side(doubled->key));
-}
-
-bool contains(const std::vector<DirectedSide>& sides, std::uint64_t key) {
-  const auto place = std::lower_bound(sides.begin(), sides.end(), key,
-                                      [](const DirectedSide& side, std::uint64_t k) { return side.key < k; });
-  return place != sides.end() && place->key == key;
-}
-
-Result check_boundary(const std::vector<DirectedSide>& sides, const std::vector<Index>& hull) {
-  std::unordered_set<std::uint64_t> hull_edges;
-  for (std::size_t i = 0; i < hull.size(); ++i) hull_edges.insert(key_of(hull[i], hull[(i + 1) % hull.size()]));
-  for (const DirectedSide& side : sides) {
-    if (!contains(sides, reversed(side.key)) && !hull_edges.contains(side.key)) {
-      return violation(TriangulationRule::boundary_is_hull, "nothing lies right of edge ", show_side(side.key),
-                       " of triangle ", side.triangle, ", which is not on the hull");
+Result check_doubled_sides(Index point_count, const TriangleSides& sides) {
+  for (Index v = 0; v < point_count; ++v) {
+    const auto row = sides.row(v);
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      if (row[i].other_end == row[i + 1].other_end && row[i].is_ascending == row[i + 1].is_ascending) {
+        return violation(TriangulationRule::directed_edge_once, "triangles ", row[i].triangle, " and ",
+                         row[i + 1].triangle, " both lie left of edge ", show_side(v, row[i]));
+      }
     }
   }
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const std::uint64_t edge = key_of(hull[i], hull[(i + 1) % hull.size()]);
-    if (!contains(sides, edge)) {
-      return violation(TriangulationRule::hull_is_boundary, "hull edge ", show_side(edge), " belongs to no triangle");
+  return {};
+}
+
+// With every directed side at most once, a side is unpaired if neither neighbour in its row shares its other end.
+bool is_unpaired(std::span<const TriangleSide> row, std::size_t i) {
+  return (i == 0 || row[i - 1].other_end != row[i].other_end) &&
+         (i + 1 == row.size() || row[i + 1].other_end != row[i].other_end);
+}
+
+bool has_side(const TriangleSides& sides, Index from, Index to) {
+  const auto row = sides.row(std::min(from, to));
+  return std::any_of(row.begin(), row.end(), [&](const TriangleSide& side) {
+    return side.other_end == std::max(from, to) && side.is_ascending == (from < to);
+  });
+}
+
+// For each point on the hull the next one counter-clockwise, kNoIndex for the others.
+std::vector<Index> hull_successors(Index point_count, const std::vector<Index>& hull) {
+  std::vector<Index> next(point_count, kNoIndex);
+  for (std::size_t i = 0; i < hull.size(); ++i) next[hull[i]] = hull[(i + 1) % hull.size()];
+  return next;
+}
+
+Result check_boundary(Index point_count, const TriangleSides& sides, const std::vector<Index>& hull) {
+  const std::vector<Index> next = hull_successors(point_count, hull);
+  for (Index v = 0; v < point_count; ++v) {
+    const auto row = sides.row(v);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (!is_unpaired(row, i)) continue;
+      const bool on_hull = row[i].is_ascending ? next[v] == row[i].other_end : next[row[i].other_end] == v;
+      if (!on_hull) {
+        return violation(TriangulationRule::boundary_is_hull, "nothing lies right of edge ", show_side(v, row[i]),
+                         " of triangle ", row[i].triangle, ", which is not on the hull");
+      }
+    }
+  }
+  for (const Index v : hull) {
+    if (!has_side(sides, v, next[v])) {
+      return violation(TriangulationRule::hull_is_boundary, "hull edge ", show_side(v, next[v]),
+                       " belongs to no triangle");
     }
   }
   return {};
@@ -153,10 +157,10 @@ std::string_view name_of(TriangulationRule rule) {
 std::optional<Violation> find_violation(Points points, const Triangulation& triangulation) {
   if (Result broken = check_indices(points, triangulation)) return broken;
   if (Result broken = check_orientations(points, triangulation)) return broken;
-  const std::vector<DirectedSide> sides = sorted_sides(triangulation);
-  if (Result broken = check_doubled_sides(sides)) return broken;
+  const TriangleSides sides(triangulation);
+  if (Result broken = check_doubled_sides(triangulation.point_count, sides)) return broken;
   const std::vector<Index> hull = convex_hull(points);
-  if (Result broken = check_boundary(sides, hull)) return broken;
+  if (Result broken = check_boundary(triangulation.point_count, sides, hull)) return broken;
   return check_counts(triangulation, hull.size());
 }
 

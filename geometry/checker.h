@@ -11,14 +11,14 @@ namespace mwt {
 
 /// The rules a triangulation can break, in the order in which they are examined.
 enum class TriangulationRule {
-  point_count_matches,       ///< the triangulation speaks of as many points as there are
-  indices_in_range,          ///< every corner is a point
+  point_count_matches,         ///< the triangulation speaks of as many points as there are
+  indices_in_range,            ///< every corner is a point
   strictly_counter_clockwise,  ///< every triangle turns left: none is flat, flipped or has a corner twice
-  directed_edge_once,        ///< no directed edge belongs to two triangles: none is doubled, none overlaps there
-  boundary_is_hull,          ///< a side without a neighbour is an edge of the hull: no hole, no notch
-  hull_is_boundary,          ///< every edge of the hull, between neighbours on the boundary, is some triangle's side
-  triangle_count,            ///< 2n - 2 - h triangles: none lies on top of others
-  every_point_used,          ///< every point is a corner
+  directed_edge_once,          ///< no directed edge belongs to two triangles: none is doubled, none overlaps there
+  boundary_is_hull,            ///< a side without a neighbour is an edge of the hull: no hole, no notch
+  hull_is_boundary,            ///< every edge of the hull, between neighbours on the boundary, is some triangle's side
+  triangle_count,              ///< 2n - 2 - h triangles: none lies on top of others
+  every_point_used,            ///< every point is a corner
 };
 
 [[nodiscard]] std::string_view name_of(TriangulationRule rule);

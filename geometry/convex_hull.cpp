@@ -49,8 +49,8 @@ std::vector<Index> graham_scan(Points points) {
   std::iter_swap(order.begin(), smallest);
   const Point& pivot = points[order.front()];
 
-  // By angle around the pivot. The pivot is lexicographically smallest, so all others lie in a half-plane and, along one
-  // ray, the lexicographic order is the order of distance.
+  // By angle around the pivot. The pivot is lexicographically smallest, so all others lie in a half-plane and, along
+  // one ray, the lexicographic order is the order of distance.
   const auto by_angle = [&](Index a, Index b) {
     const int turn = orientation(pivot, points[a], points[b]);
     if (turn != 0) return turn > 0;

@@ -10,9 +10,9 @@ namespace mwt {
 /// The hull's boundary in counter-clockwise order from the lexicographically smallest point, **every** point on the
 /// boundary included, so that its size is the h of the counting formulas. Both functions return the same sequence.
 ///
-/// Precondition: distinct points. Collinear points (or fewer than 3) give the points in lexicographic order, which is no
-/// polygon: check with all_collinear() first where that matters.
-/// Exact: decided by predicates.h. O(n log n) time, O(n) space. Deterministic.
+/// Precondition: distinct points. Collinear points (or fewer than 3) give the points in lexicographic order, which is
+/// no polygon: check with all_collinear() first where that matters. Exact: decided by predicates.h. O(n log n) time,
+/// O(n) space. Deterministic.
 ///
 /// R. L. Graham, "An efficient algorithm for determining the convex hull of a finite planar set", IPL 1 (1972).
 [[nodiscard]] std::vector<Index> graham_scan(Points points);

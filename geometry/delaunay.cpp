@@ -3,11 +3,12 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/spatial_sort.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <utility>
@@ -21,8 +22,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-using Delaunay =
-    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
 using ConstrainedDelaunay = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<Vertex, CGAL::Constrained_triangulation_face_base_2<Kernel>>,
     CGAL::No_constraint_intersection_tag>;
@@ -69,6 +69,16 @@ Triangulation triangles_of(const AnyTriangulation& triangulation, std::size_t po
   return result;
 }
 
+// CGAL splits a constraint at a point that it passes through, without a word.
+void require_edges(const Triangulation& triangulation, std::span<const Edge> constraints) {
+  const std::vector<Edge> edges = edges_of(triangulation);
+  for (const Edge& edge : constraints) {
+    if (!std::binary_search(edges.begin(), edges.end(), make_edge(edge.a, edge.b))) {
+      throw std::logic_error("constrained_delaunay_triangulation: a constraint passes through a point");
+    }
+  }
+}
+
 }  // namespace
 
 Triangulation delaunay_triangulation(Points points) {
@@ -87,7 +97,9 @@ Triangulation constrained_delaunay_triangulation(Points points, std::span<const 
   } catch (const ConstrainedDelaunay::Intersection_of_constraints_exception&) {
     throw std::logic_error("constrained_delaunay_triangulation: two constraints cross");
   }
-  return triangles_of(triangulation, points.size());
+  Triangulation result = triangles_of(triangulation, points.size());
+  require_edges(result, constraints);
+  return result;
 }
 
 double measure_yardstick_s(Points points) {

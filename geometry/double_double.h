@@ -96,11 +96,19 @@ inline DoubleDouble& operator+=(DoubleDouble& a, const DoubleDouble& b) { return
   return scaled(square_root(square(scaled(dx, -exponent)) + square(scaled(dy, -exponent))), exponent);
 }
 
-/// The doubles around `value`, whose relative error is at most `relative_error` (a small multiple of 2^-100).
+/// The doubles around `value`, whose relative error is at most `relative_error`: kDoubleDoubleError times the number of
+/// operations, each length counted at least once. Below 2^-1022, where lengths err by up to one step of 2^-1074 however
+/// small they are, that number also bounds the steps.
 [[nodiscard]] inline Interval enclose(const DoubleDouble& value, double relative_error) {
-  const double slack = std::abs(value.high) * relative_error;
-  const bool underflows = value.high != 0 && slack < 0x1p-1000;
-  if (underflows) return {next_down(value.high), next_up(value.high)};
+  if (value.high == 0) return {};
+  const double steps_slack = relative_error / kDoubleDoubleError * 0x1p-1074;
+  const double slack = std::abs(value.high) * relative_error + steps_slack;
+  const bool steps_count = slack < 0x1p-1000;
+  if (steps_count) {
+    const double reach = std::abs(value.low) + slack;
+    const double lower = next_down(value.high - reach);
+    return {value.high > 0 ? std::max(0.0, lower) : lower, next_up(value.high + reach)};
+  }
   return {value.low - slack < 0 ? next_down(value.high) : value.high,
           value.low + slack > 0 ? next_up(value.high) : value.high};
 }

@@ -20,9 +20,7 @@ struct Interval {
   [[nodiscard]] bool contains(double x) const { return lower <= x && x <= upper; }
 
   /// Width over the upper end; 0 for a single value.
-  [[nodiscard]] double relative_width() const {
-    return upper == lower ? 0 : (upper - lower) / std::abs(upper);
-  }
+  [[nodiscard]] double relative_width() const { return upper == lower ? 0 : (upper - lower) / std::abs(upper); }
 
   friend bool operator==(const Interval&, const Interval&) = default;
 };

@@ -102,8 +102,9 @@ Triangulation from_input_indices(const PointSet& set, const std::vector<Point>& 
   const std::vector<Index> kept_order = lexicographic_order(set.points);
   const auto position_in_set = [&](Index corner) -> Index {
     if (corner >= input.size()) return kNoIndex;
-    const auto place = std::lower_bound(kept_order.begin(), kept_order.end(), input[corner],
-                                        [&](Index i, const Point& p) { return lexicographically_less(set.points[i], p); });
+    const auto place =
+        std::lower_bound(kept_order.begin(), kept_order.end(), input[corner],
+                         [&](Index i, const Point& p) { return lexicographically_less(set.points[i], p); });
     return *place;  // every input point equals a kept one
   };
   Triangulation result{static_cast<Index>(set.points.size()), triangles};

@@ -19,8 +19,8 @@ struct PointSet {
 };
 
 /// Removes duplicates and checks what every algorithm relies on. `source` names the input in messages.
-/// Throws InputError: fewer than 3 distinct points, all collinear, not finite, or magnitude above 1e300 (sums of lengths
-/// would overflow). O(n log n).
+/// Throws InputError: fewer than 3 distinct points, all collinear, not finite, or magnitude above 1e300 (sums of
+/// lengths would overflow). O(n log n).
 [[nodiscard]] PointSet make_point_set(const std::vector<Point>& input, const std::string& source);
 
 /// Content hash of the distinct points in input order: the first 128 bits of the SHA-256 of their little-endian

@@ -2,6 +2,11 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
+#include <optional>
+
+#include "geometry/double_double.h"
+
 namespace mwt {
 
 namespace {
@@ -22,15 +27,51 @@ bool overlap_on_a_line(const Point& a, const Point& b, const Point& c, const Poi
          strictly_between(d, a, b);
 }
 
+// A difference, product or sum that came out without any rounding, or nothing. Coordinates of few digits (lattices,
+// files of integers) stay within exact doubles, so that their many ties need no multiprecision.
+std::optional<double> if_exact(const DoubleDouble& value) {
+  if (value.low != 0 || !std::isfinite(value.high)) return {};
+  return value.high;
+}
+
+std::optional<double> exact_double_product(double a, double b) {
+  if (a == 0 || b == 0) return 0;
+  const DoubleDouble product = exact_product(a, b);
+  const bool may_underflow = std::abs(product.high) < 1e-250;
+  return may_underflow ? std::nullopt : if_exact(product);
+}
+
+int sign_of(double x) { return (x > 0) - (x < 0); }
+
+std::optional<int> orientation_in_doubles(const Point& a, const Point& b, const Point& c) {
+  const auto ax = if_exact(exact_sum(a.x, -c.x)), ay = if_exact(exact_sum(a.y, -c.y));
+  const auto bx = if_exact(exact_sum(b.x, -c.x)), by = if_exact(exact_sum(b.y, -c.y));
+  if (!ax || !ay || !bx || !by) return {};
+  const auto left = exact_double_product(*ax, *by), right = exact_double_product(*ay, *bx);
+  if (!left || !right) return {};
+  return sign_of(*left - *right);  // the sign of a rounded difference is exact
+}
+
+std::optional<double> squared_length_in_doubles(const Point& a, const Point& b) {
+  const auto x = if_exact(exact_sum(a.x, -b.x)), y = if_exact(exact_sum(a.y, -b.y));
+  if (!x || !y) return {};
+  const auto xx = exact_double_product(*x, *x), yy = exact_double_product(*y, *y);
+  if (!xx || !yy) return {};
+  return if_exact(exact_sum(*xx, *yy));
+}
+
 }  // namespace
 
 namespace detail {
 
 int orientation_exact(const Point& a, const Point& b, const Point& c) {
+  if (const auto sign = orientation_in_doubles(a, b, c)) return *sign;
   return static_cast<int>(CGAL::orientation(to_cgal(a), to_cgal(b), to_cgal(c)));
 }
 
 int compare_length_exact(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const auto ab = squared_length_in_doubles(a, b), cd = squared_length_in_doubles(c, d);
+  if (ab && cd) return sign_of(*ab - *cd);
   return static_cast<int>(Kernel().compare_distance_2_object()(to_cgal(a), to_cgal(b), to_cgal(c), to_cgal(d)));
 }
 

@@ -18,6 +18,13 @@ class LengthSum {
     ++terms_;
   }
 
+  /// Adds a sum made elsewhere (by another thread, say). The enclosure's proof does not depend on the order of
+  /// additions.
+  void add(const LengthSum& other) {
+    sum_ += other.sum_;
+    terms_ += other.terms_;
+  }
+
   [[nodiscard]] Interval enclosure() const {
     return enclose(sum_, (static_cast<double>(terms_) + 8) * kDoubleDoubleError);
   }

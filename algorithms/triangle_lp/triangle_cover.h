@@ -1,7 +1,7 @@
 // The Dantzig-Hoffman-Hu model: a lightest set of triangles that covers a region exactly once, by linear programming.
 //
-// x_t in {0, 1} for each candidate triangle t. Every directed boundary edge is the side of exactly one chosen triangle; for
-// every other edge, the chosen triangles on its left are as many as those on its right. The LP relaxation is solved
+// x_t in {0, 1} for each candidate triangle t. Every directed boundary edge is the side of exactly one chosen triangle;
+// for every other edge, the chosen triangles on its left are as many as those on its right. The LP relaxation is solved
 // with GLPK; a fractional optimum is branched on. A side costs half its length, on the boundary all of it, so that the
 // objective is the sum of the lengths of the cover's edges, every edge once.
 //
@@ -20,8 +20,8 @@
 
 namespace mwt {
 
-/// A region to cover. Its boundary is given as directed edges with the region on their left; an edge inside the region that
-/// must be part of the cover stands there in both directions.
+/// A region to cover. Its boundary is given as directed edges with the region on their left; an edge inside the region
+/// that must be part of the cover stands there in both directions.
 struct TriangleCoverProblem {
   Points points;
   std::span<const Triangle> triangles;  ///< candidates, counter-clockwise, empty of points
@@ -32,11 +32,11 @@ struct TriangleCoverProblem {
 
 struct TriangleCover {
   std::vector<Triangle> triangles;  ///< the best cover found; empty if none was
-  Interval optimum;                 ///< certified bounds on the weight of the lightest cover by candidates, every edge once
-  bool proved = false;              ///< relative width of `optimum` at most 1e-12
-  bool stopped_early = false;       ///< the deadline cut the search short
-  std::uint64_t programs = 0;       ///< linear programs solved
-  std::uint64_t branchings = 0;     ///< fractional optima that had to be branched on
+  Interval optimum;            ///< certified bounds on the weight of the lightest cover by candidates, every edge once
+  bool proved = false;         ///< relative width of `optimum` at most 1e-12
+  bool stopped_early = false;  ///< the deadline cut the search short
+  std::uint64_t programs = 0;  ///< linear programs solved
+  std::uint64_t branchings = 0;  ///< fractional optima that had to be branched on
 };
 
 /// Exact up to the stated interval, whatever GLPK's rounding: the lower end comes from dual values evaluated with

@@ -1,0 +1,166 @@
+#include "algorithms/exact/exact.h"
+
+#include <tbb/task_arena.h>
+
+#include <new>
+#include <optional>
+
+#include "algorithms/exact/certain_edges.h"
+#include "algorithms/exact/convex_position.h"
+#include "algorithms/exact/diamond_candidates.h"
+#include "algorithms/exact/face_solver.h"
+#include "algorithms/exact/kd_order.h"
+#include "algorithms/exact/lmt_skeleton.h"
+#include "algorithms/exact/simple_bound.h"
+#include "geometry/convex_hull.h"
+
+namespace mwt {
+
+namespace {
+
+class ExactSolver {
+ public:
+  ExactSolver(Points points, Context& context) : points_(points), context_(context) {}
+
+  Solution run() {
+    try {
+      const CandidateGraph graph = candidates();
+      const ScopedPhase phase(context_, "faces");
+      const FaceSolution faces = solve_faces(graph, context_);
+      count(faces);
+      return make_solution(faces);
+    } catch (const SearchStopped&) {
+      return give_up();
+    } catch (const std::bad_alloc&) {
+      return give_up();
+    }
+  }
+
+ private:
+  CandidateGraph candidates() {
+    report_stage("k-d order", 0);
+    {
+      const ScopedPhase phase(context_, "kd_order");
+      order_ = make_kd_order(points_);
+    }
+    report_stage("diamond test", 0.05);
+    HullEdges hull_edges;
+    CandidateBlocks blocks;
+    {
+      const ScopedPhase phase(context_, "diamond_test");
+      const DiamondTest test(order_);
+      const std::vector<Index> hull = find_hull(test.possible_hull_points());
+      if (hull.size() == points_.size()) return convex_position_candidates(order_.points, hull);
+      hull_edges.next.assign(points_.size(), kNoIndex);
+      for (std::size_t i = 0; i < hull.size(); ++i) hull_edges.next[hull[i]] = hull[(i + 1) % hull.size()];
+      blocks = test.find_candidates(context_);
+    }
+    count_edges("edges_after_diamond_test", blocks);
+    report_stage("LMT-skeleton", 0.4);
+    return candidates_of(skeleton_of(hull_edges, std::move(blocks)));
+  }
+
+  LmtSkeleton skeleton_of(const HullEdges& hull_edges, CandidateBlocks blocks) {
+    const ScopedPhase phase(context_, "lmt");
+    LmtSkeleton skeleton = find_lmt_skeleton(order_, hull_edges, std::move(blocks), context_);
+    counters_["lmt_checks"] = static_cast<double>(skeleton.counters.checks);
+    return skeleton;
+  }
+
+  CandidateGraph candidates_of(const LmtSkeleton& skeleton) {
+    report_stage("certain edges", 0.8);
+    const ScopedPhase phase(context_, "certain_edges");
+    CandidateGraph graph = mark_certain_edges(order_.points, skeleton.stars);
+    std::size_t certain = 0;
+    for (const std::uint8_t mark : graph.certain) certain += mark;
+    counters_["edges_after_lmt"] = static_cast<double>(graph.target.size() / 2);
+    counters_["certain_edges"] = static_cast<double>(certain / 2);
+    report_stage("faces", 0.9);
+    return graph;
+  }
+
+  std::vector<Index> find_hull(const std::vector<Index>& possible) const {
+    std::vector<Point> points;
+    points.reserve(possible.size());
+    for (const Index p : possible) points.push_back(order_.points[p]);
+    std::vector<Index> hull = convex_hull(points);
+    for (Index& p : hull) p = possible[p];
+    return hull;
+  }
+
+  void count_edges(const char* name, const CandidateBlocks& blocks) {
+    std::size_t edges = 0;
+    for (const auto& pairs : blocks.inner) edges += pairs.size();
+    for (const auto& pairs : blocks.outer) edges += pairs.size();
+    counters_[name] = static_cast<double>(edges);
+  }
+
+  void count(const FaceSolution& faces) {
+    counters_["faces"] = static_cast<double>(faces.faces);
+    counters_["largest_face"] = static_cast<double>(faces.largest_face);
+    counters_["dp_cells"] = static_cast<double>(faces.dp_cells);
+    counters_["precise_comparisons"] = static_cast<double>(faces.precise_comparisons);
+    counters_["undecided_ties"] = static_cast<double>(faces.undecided_ties);
+    counters_["faces_with_holes"] = static_cast<double>(faces.faces_with_holes);
+    counters_["linear_programs"] = static_cast<double>(faces.programs);
+    counters_["branchings"] = static_cast<double>(faces.branchings);
+    counters_["unsolved_faces"] = static_cast<double>(faces.unsolved_faces);
+  }
+
+  Solution make_solution(const FaceSolution& faces) const {
+    Solution solution;
+    solution.triangulation.point_count = static_cast<Index>(points_.size());
+    solution.triangulation.triangles = faces.triangles;
+    for (Triangle& triangle : solution.triangulation.triangles) {
+      for (Index& corner : triangle) corner = order_.original[corner];
+    }
+    solution.optimum = faces.optimum;
+    solution.counters = counters_;
+    solution.stopped_early = faces.unsolved_faces > 0;
+    return solution;
+  }
+
+  Solution give_up() const {
+    BoundedTriangulation bounded = delaunay_with_lower_bound(points_);
+    Solution solution;
+    solution.triangulation = std::move(bounded.triangulation);
+    solution.optimum = bounded.optimum;
+    solution.counters = counters_;
+    solution.stopped_early = true;
+    return solution;
+  }
+
+  void report_stage(const char* stage, double done) const {
+    if (context_.progress) context_.progress(stage, done);
+  }
+
+  Points points_;
+  Context& context_;
+  KdOrder order_;
+  std::map<std::string, double> counters_;
+};
+
+}  // namespace
+
+Solution exact(Points points, Context& context) {
+  tbb::task_arena arena(context.threads);
+  return arena.execute([&] { return ExactSolver(points, context).run(); });
+}
+
+AlgorithmInfo exact_entry() {
+  AlgorithmInfo info;
+  info.name = "exact";
+  info.summary = "proved optimum at scale: diamond test, LMT-skeleton, dynamic and linear programs per face";
+  info.source =
+      "after A. Haas, SoCG 2018 (arXiv:1802.06415); Das and Joseph 1989; Drysdale, McElfresh, Snoeyink 2001; "
+      "Dickerson and Montague 1996; Beirouti and Snoeyink 1998";
+  info.guarantee = "optimal, with a certified interval";
+  info.time = "about O(n log n) on random input; exponential in the worst case (NP-hard)";
+  info.space = "about 400 bytes per point";
+  info.exactness = Exactness::exact;
+  info.largest_n = 10'000'000;
+  info.function = exact;
+  return info;
+}
+
+}  // namespace mwt

@@ -1,0 +1,228 @@
+#include "algorithms/triangle_lp/cover_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mwt {
+
+namespace {
+
+using Entry = LinearProgram::Entry;
+using Method = LinearProgram::Method;
+
+// The gap between the relaxation's value and the certified bound, relative to the value, at which refinement rests.
+constexpr double kRestingGap = 0x1p-46;
+// So many rounds in a row that neither bring new columns nor halve the gap end the refinement.
+constexpr int kPatience = 3;
+
+// A power of two by which `worst` becomes about -1: doubles scale exactly.
+double scale_for(double worst) {
+  constexpr int kLargestExponent = 60;
+  return worst < 0 ? std::ldexp(1.0, std::min(-std::ilogb(worst), kLargestExponent)) : 1;
+}
+
+bool is_forward(Side side) { return side == forward_side(edge_of(side)); }
+
+}  // namespace
+
+CoverProgram::CoverProgram(const CoverModel& model, std::span<const std::uint32_t> first_columns,
+                           const Deadline& deadline)
+    : model_(model), deadline_(deadline), empty_cover_cost_(2 * model.largest_cover_cost) {
+  const std::size_t edges = model.edges.size();
+  credits_ = {std::vector<double>(2 * edges, 0), std::vector<EdgeDecision>(edges, EdgeDecision::open)};
+  is_active_.assign(model.columns.size(), 0);
+  boundary_row_.assign(2 * edges, kNone);
+  balance_row_.assign(edges, kNone);
+  decision_row_.assign(edges, kNone);
+  decision_credit_.assign(edges, 0);
+  program_.add_column({});
+  for (Side side = 0; side < 2 * edges; ++side) {
+    if (model.on_boundary[side]) boundary_row_[side] = program_.add_row({}, 1);
+  }
+  update_empty_cover();
+  for (const std::uint32_t column : first_columns) add_column(column);
+}
+
+int CoverProgram::row_of_inner_edge(std::uint32_t edge) {
+  if (balance_row_[edge] == kNone) balance_row_[edge] = program_.add_row({}, 0);
+  return balance_row_[edge];
+}
+
+void CoverProgram::add_column(std::uint32_t column) {
+  if (is_active_[column]) return;
+  is_active_[column] = 1;
+  active_.push_back(column);
+  std::vector<Entry> entries;
+  for (const Side side : model_.columns[column].sides) {
+    const std::uint32_t edge = edge_of(side);
+    if (model_.on_boundary[side]) {
+      entries.push_back({boundary_row_[side], 1});
+    } else {
+      entries.push_back({row_of_inner_edge(edge), is_forward(side) ? 1.0 : -1.0});
+      if (decision_row_[edge] != kNone && is_forward(side)) entries.push_back({decision_row_[edge], 1});
+    }
+  }
+  program_.add_column(entries);
+}
+
+// The empty cover stands in for every side that has to be covered.
+void CoverProgram::update_empty_cover() {
+  std::vector<Entry> entries;
+  for (const int row : boundary_row_) {
+    if (row != kNone) entries.push_back({row, 1});
+  }
+  for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) {
+    if (credits_.decisions[edge] == EdgeDecision::in) entries.push_back({decision_row_[edge], 1});
+  }
+  program_.replace_column(kEmptyCover, entries);
+}
+
+void CoverProgram::decide(std::uint32_t edge, EdgeDecision decision) {
+  if (decision_row_[edge] == kNone) {
+    std::vector<Entry> entries;
+    for (std::size_t i = 0; i < active_.size(); ++i) {
+      const auto& sides = model_.columns[active_[i]].sides;
+      const bool lies_left = std::find(sides.begin(), sides.end(), forward_side(edge)) != sides.end();
+      if (lies_left) entries.push_back({static_cast<int>(i) + 1, 1});
+    }
+    decision_row_[edge] = program_.add_row(entries, 0);
+  }
+  credits_.decisions[edge] = decision;
+  if (decision == EdgeDecision::open) {
+    program_.set_right_side(decision_row_[edge], {});
+    decision_credit_[edge] = 0;
+    credits_.of_side[forward_side(edge)] = -credits_.of_side[backward_side(edge)];
+  } else {
+    program_.set_right_side(decision_row_[edge], decision == EdgeDecision::in ? 1 : 0);
+  }
+  update_empty_cover();
+}
+
+void CoverProgram::set_reduced_costs(double scale) {
+  double certain_credit = 0;
+  for (Side side = 0; side < credits_.of_side.size(); ++side) {
+    const bool covered_once = model_.on_boundary[side] || credits_.decisions[edge_of(side)] == EdgeDecision::in;
+    if (covered_once) certain_credit += credits_.of_side[side];
+  }
+  std::vector<double> costs{(empty_cover_cost_ - certain_credit) * scale};
+  for (const std::uint32_t column : active_) {
+    costs.push_back(reduced_cost(model_, credits_, model_.columns[column]) * scale);
+  }
+  program_.set_costs(costs);
+}
+
+void CoverProgram::add_duals_to_credits(double scale) {
+  for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) {
+    double& forward = credits_.of_side[forward_side(edge)];
+    double& backward = credits_.of_side[backward_side(edge)];
+    if (balance_row_[edge] != kNone) {
+      backward -= program_.dual(balance_row_[edge]) / scale;
+      if (credits_.decisions[edge] != EdgeDecision::open) {
+        decision_credit_[edge] += program_.dual(decision_row_[edge]) / scale;
+      }
+      forward = decision_credit_[edge] - backward;
+    }
+    for (const Side side : {forward_side(edge), backward_side(edge)}) {
+      if (boundary_row_[side] != kNone) credits_.of_side[side] += program_.dual(boundary_row_[side]) / scale;
+    }
+  }
+}
+
+bool CoverProgram::optimise(Method method, double scale) {
+  set_reduced_costs(scale);
+  ++programs_;
+  solved_ = program_.solve(method, deadline_);
+  if (solved_) add_duals_to_credits(scale);
+  return solved_;
+}
+
+double CoverProgram::primal_value() const {
+  double value = empty_cover_cost_ * program_.value(kEmptyCover);
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    value += model_.cost(model_.columns[active_[i]]) * program_.value(static_cast<int>(i) + 1);
+  }
+  return value;
+}
+
+bool CoverProgram::add_violated_columns(std::vector<PricedColumn> violated) {
+  constexpr double kNegligible = 0x1p-10;  // of the worst
+  const double threshold = kNegligible * pricing_.worst;
+  std::erase_if(violated, [&](const PricedColumn& p) { return is_active_[p.column] || p.reduced_cost > threshold; });
+  const std::size_t limit = std::max<std::size_t>(100, static_cast<std::size_t>(program_.rows()) / 2);
+  const auto kept = std::min(limit, violated.size());
+  std::partial_sort(violated.begin(), violated.begin() + static_cast<std::ptrdiff_t>(kept), violated.end(),
+                    [](const PricedColumn& a, const PricedColumn& b) {
+                      return a.reduced_cost < b.reduced_cost ||
+                             (a.reduced_cost == b.reduced_cost && a.column < b.column);
+                    });
+  for (std::size_t i = 0; i < kept; ++i) add_column(violated[i].column);
+  return kept > 0;
+}
+
+double CoverProgram::solve(double enough) {
+  double best = 0;
+  double last_gap = std::numeric_limits<double>::infinity();
+  int rounds_without_gain = 0;
+  double scale = 1;
+  Method method = Method::dual;
+  while (optimise(method, scale)) {
+    pricing_ = price(model_, credits_);
+    best = std::max(best, pricing_.lower);
+    const double value = primal_value();
+    const double gap = value - pricing_.lower;
+    if (best >= enough || gap <= kRestingGap * value) break;
+    const bool grown = add_violated_columns(std::move(pricing_.violated));
+    rounds_without_gain = grown || gap < 0.5 * last_gap ? 0 : rounds_without_gain + 1;
+    if (rounds_without_gain == kPatience) break;
+    last_gap = gap;
+    scale = scale_for(pricing_.worst);
+    method = Method::primal;
+  }
+  return best;
+}
+
+std::optional<std::vector<Triangle>> CoverProgram::cover() const {
+  std::vector<Triangle> triangles;
+  std::vector<std::uint8_t> covered(model_.on_boundary.size(), 0);
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    if (program_.value(static_cast<int>(i) + 1) < 0.5) continue;
+    const CoverModel::Column& column = model_.columns[active_[i]];
+    for (const Side side : column.sides) {
+      if (covered[side]++ > 0) return {};
+    }
+    triangles.push_back(column.triangle);
+  }
+  for (Side side = 0; side < covered.size(); ++side) {
+    const bool wanted = model_.on_boundary[side] || (covered[reversed(side)] && !model_.on_boundary[reversed(side)]);
+    if (covered[side] != static_cast<std::uint8_t>(wanted)) return {};
+  }
+  if (triangles.size() != model_.triangle_count) return {};
+  return triangles;
+}
+
+std::vector<double> CoverProgram::edge_use() const {
+  std::vector<double> use(model_.edges.size(), 0);
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    for (const Side side : model_.columns[active_[i]].sides) {
+      if (is_forward(side)) use[edge_of(side)] += program_.value(static_cast<int>(i) + 1);
+    }
+  }
+  return use;
+}
+
+std::optional<std::uint32_t> CoverProgram::fractional_edge() const {
+  constexpr double kReadingError = 1e-6;  // a use this near to 0 or 1 is taken for that; cover() then verifies
+  const std::vector<double> use = edge_use();
+  std::optional<std::uint32_t> best;
+  double best_distance = 0.5 - kReadingError;
+  for (std::uint32_t edge = 0; edge < use.size(); ++edge) {
+    const double distance = std::abs(use[edge] - 0.5);
+    if (!model_.is_inner(edge) || credits_.decisions[edge] != EdgeDecision::open || distance >= best_distance) continue;
+    best = edge;
+    best_distance = distance;
+  }
+  return best;
+}
+
+}  // namespace mwt

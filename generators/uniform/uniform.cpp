@@ -1,0 +1,25 @@
+#include "generators/uniform/uniform.h"
+
+#include "generators/arguments.h"
+#include "generators/distinct_points.h"
+#include "generators/random.h"
+
+namespace mwt {
+
+GeneratorInfo uniform_entry() {
+  return {.name = "uniform",
+          .summary = "independent points, uniform in the unit square",
+          .source = "the standard random model; Steele, Annals of Probability 10 (1982), for its optimum",
+          .stresses = "the report's claims C4, C6 and C10 on ordinary input",
+          .law = "w(T*) grows like sqrt n; alpha of greedy stays below 1.03, of insertion grows like n^0.22",
+          .largest_n = kMostPoints,
+          .parameters = {},
+          .function = [](Index n, std::uint64_t seed, const Parameters&) { return uniform_points(n, seed); }};
+}
+
+std::vector<Point> uniform_points(Index n, std::uint64_t seed) {
+  RandomEngine engine = make_engine("uniform", seed);
+  return draw_distinct_points("uniform", n, [&](Index) { return uniform_in_square(engine); });
+}
+
+}  // namespace mwt

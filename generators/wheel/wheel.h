@@ -1,0 +1,19 @@
+// The wheel: a regular polygon and its centre.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "generators/generator.h"
+#include "geometry/point.h"
+
+namespace mwt {
+
+GeneratorInfo wheel_entry();
+
+/// The regular (n - 1)-gon on the unit circle, then the origin, each moved by a vector uniform in a square of side
+/// `jitter` around it; distinct, not all collinear. Preconditions: 4 <= n <= kLargestRegularPolygon, 0 <= jitter <= 1;
+/// jitter 0 is the exact wheel, the same for every seed. The same on every platform. Expected O(n) time.
+[[nodiscard]] std::vector<Point> wheel_points(Index n, std::uint64_t seed, double jitter);
+
+}  // namespace mwt

@@ -1,0 +1,12 @@
+// Reading a whole file at once.
+#pragma once
+
+#include <string>
+
+namespace mwt {
+
+/// The content of the file at `path`; `-` is standard input. Fifos and devices are read to their end.
+/// Throws InputError naming the file and the remedy: missing, a folder, no permission, a failing disk.
+[[nodiscard]] std::string read_file(const std::string& path);
+
+}  // namespace mwt

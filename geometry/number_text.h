@@ -1,0 +1,24 @@
+// Numbers as text: exact on the way in (correctly rounded), shortest round-trip on the way out, whatever the locale.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mwt {
+
+/// The double nearest to a decimal number such as -1, +.5 or 1.11630e+03; infinite if it is beyond the largest double
+/// or if the text says so, NaN if the text says so; nothing unless the whole text is one number.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// Appends the shortest decimal number that reads back as exactly `value`.
+void append_number(std::string& text, double value);
+[[nodiscard]] std::string number_text(double value);
+
+/// Appends `value` rounded to `decimals` places, for pictures. Precondition: |value| < 1e15, decimals <= 9.
+void append_fixed(std::string& text, double value, int decimals);
+
+/// Appends an integer.
+void append_integer(std::string& text, unsigned long long value);
+
+}  // namespace mwt

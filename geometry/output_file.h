@@ -1,0 +1,50 @@
+// Writing files so that nothing is lost: the old content stays until the new one is complete and on the disk.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace mwt {
+
+/// A file being written. The content goes to a temporary file beside the target, which commit() brings to the disk
+/// (fsync) and renames; without commit(), or after any failure, the temporary file is removed and the target is as
+/// before. A symbolic link stays a link: the file that it names is replaced.
+///
+/// `-` and /dev/stdout are standard output; targets that exist and are no regular files (/dev/null, a fifo) are written
+/// directly. A new file has mode 0666 less the umask, a replaced one keeps its mode; a write-protected one is refused.
+///
+/// Every member throws InputError naming the file, the reason and the remedy: no such folder, no permission, full disk.
+class OutputFile {
+ public:
+  explicit OutputFile(std::string path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// Adds to the end; buffered.
+  void append(std::string_view text);
+
+  /// Makes the content the target's. Nothing may be appended afterwards.
+  void commit();
+
+ private:
+  void open_temporary();
+  void write_all(std::string_view text);
+  void close_file();
+  [[noreturn]] void fail(int error) const;
+
+  std::string path_;       // as the user named it
+  std::string target_;     // links resolved; empty when written directly
+  std::string temporary_;  // empty when written directly, and once renamed
+  std::string buffer_;
+  int descriptor_ = -1;
+};
+
+/// The simple case: all at once.
+void write_file_atomically(const std::string& path, std::string_view content);
+
+/// Streaming: whatever `write` appends, committed when it returns; nothing changes if it throws.
+void write_file_atomically(const std::string& path, const std::function<void(OutputFile&)>& write);
+
+}  // namespace mwt

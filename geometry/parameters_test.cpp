@@ -1,0 +1,75 @@
+#include "geometry/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "geometry/error.h"
+#include "geometry/test_folder.h"
+
+namespace mwt {
+namespace {
+
+using test::message_of;
+
+const std::vector<ParameterInfo> kDeclared{
+    {"k", ParameterType::integer, "6", "neighbours", {}},
+    {"ratio", ParameterType::real, "0.5", "share", {}},
+    {"name", ParameterType::text, "", "any text", {}},
+    {"start", ParameterType::choice, "greedy", "where to start", {"greedy", "delaunay"}},
+};
+
+Parameters given(const std::map<std::string, std::string>& values) { return {"flip_report", kDeclared, values}; }
+
+std::string error(const std::map<std::string, std::string>& values) {
+  return message_of<InputError>([&] { given(values); });
+}
+
+TEST(Parameters, HaveTheirDefaults) {
+  const Parameters parameters = given({});
+  EXPECT_EQ(parameters.integer("k"), 6);
+  EXPECT_EQ(parameters.real("ratio"), 0.5);
+  EXPECT_EQ(parameters.text("name"), "");
+  EXPECT_EQ(parameters.text("start"), "greedy");
+  EXPECT_EQ(parameters.all().size(), 4U);
+}
+
+TEST(Parameters, AreOverridden) {
+  const Parameters parameters = given({{"k", "-12"}, {"ratio", "1e-3"}, {"start", "delaunay"}, {"name", "a b"}});
+  EXPECT_EQ(parameters.integer("k"), -12);
+  EXPECT_EQ(parameters.real("ratio"), 0.001);
+  EXPECT_EQ(parameters.text("start"), "delaunay");
+  EXPECT_EQ(parameters.text("name"), "a b");
+}
+
+TEST(Parameters, NameThemselvesCanonically) {
+  EXPECT_EQ(given({{"start", "delaunay"}, {"name", "x"}}).canonical(), "k=6 name=x ratio=0.5 start=delaunay");
+  EXPECT_EQ(Parameters().canonical(), "");
+}
+
+TEST(Parameters, RejectWhatIsNotDeclared) {
+  EXPECT_EQ(error({{"q", "1"}}), "flip_report: unknown parameter 'q'; it has k, ratio, name, start");
+  EXPECT_EQ(message_of<InputError>([] {
+              Parameters("delaunay", {}, {{"q", "1"}});
+            }),
+            "delaunay: unknown parameter 'q'; it has none");
+}
+
+TEST(Parameters, RejectValuesOfTheWrongType) {
+  for (const char* value : {"", "x", "1.5", "1 ", "99999999999999999999"}) {
+    EXPECT_EQ(error({{"k", value}}), "flip_report: parameter k=" + std::string(value) + " is not an integer");
+  }
+  for (const char* value : {"", "x", "nan", "inf", "1e999", "1,5"}) {
+    EXPECT_EQ(error({{"ratio", value}}), "flip_report: parameter ratio=" + std::string(value) + " is not a number");
+  }
+  EXPECT_EQ(error({{"start", "sweep"}}), "flip_report: parameter start=sweep is not one of greedy, delaunay");
+}
+
+TEST(Parameters, AskingForTheWrongNameIsAProgrammingError) {
+  EXPECT_THROW(static_cast<void>(given({}).integer("no")), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(given({}).text("no")), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(given({}).integer("start")), InputError);
+}
+
+}  // namespace
+}  // namespace mwt

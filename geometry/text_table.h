@@ -1,0 +1,55 @@
+// Plain tables of numbers: the common ground of point lists, triangle lists and edge lists.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/point.h"
+#include "geometry/text_lines.h"
+
+namespace mwt {
+
+/// Reads a table row by row. Columns are separated by commas, by semicolons or by white space (a line with both commas
+/// and semicolons is ambiguous: an error). `#` starts a comment, blank lines do not count. If no column of the first
+/// row is a number, that row is the header. All rows have equally many columns, and as many as the header if there is
+/// one.
+///
+/// Throws InputError "source:line: what; remedy".
+class TextTable {
+ public:
+  /// The text must outlive the table.
+  TextTable(std::string source, std::string_view text);
+
+  /// The header's names in lower case, without quotes; empty if there is none.
+  [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
+
+  /// The place of a name in the header.
+  [[nodiscard]] std::optional<std::size_t> column_named(std::string_view name) const;
+
+  /// Goes to the next row of numbers; false at the end.
+  bool next_row();
+
+  [[nodiscard]] std::span<const std::string_view> columns() const { return columns_; }
+
+  /// A column of the current row as a finite number, or as an index.
+  [[nodiscard]] double number(std::size_t column) const;
+  [[nodiscard]] Index index(std::size_t column) const;
+
+  [[noreturn]] void fail(const std::string& what) const { lines_.fail(what); }
+  [[noreturn]] void fail_as_a_whole(const std::string& what) const { lines_.fail_as_a_whole(what); }
+
+ private:
+  bool read_row();
+  void require_equal_width();
+
+  TextLines lines_;
+  std::vector<std::string> header_;
+  std::vector<std::string_view> columns_;
+  std::size_t width_ = 0;      // columns of every row, 0 before the first
+  bool row_is_ready_ = false;  // the first row was read ahead to look for a header
+};
+
+}  // namespace mwt

@@ -1,0 +1,28 @@
+// Tables for people: columns aligned with blanks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mwt {
+
+/// Collects rows and prints them with every column as wide as its widest cell. The first column and those named in
+/// `left_aligned` (by position) are aligned to the left, all others to the right.
+class AlignedTable {
+ public:
+  explicit AlignedTable(std::vector<std::string> header, std::vector<std::size_t> left_aligned = {});
+
+  /// Precondition: as many cells as the header has.
+  void add_row(std::vector<std::string> cells);
+
+  [[nodiscard]] bool is_empty() const { return rows_.size() == 1; }
+
+  /// Every line indented by `indent` and ended by a line break; no blanks at the ends of lines.
+  [[nodiscard]] std::string text(const std::string& indent = "") const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;  // the header first
+  std::vector<bool> is_left_aligned_;
+};
+
+}  // namespace mwt

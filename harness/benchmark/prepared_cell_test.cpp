@@ -1,0 +1,57 @@
+#include "harness/benchmark/prepared_cell.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "harness/test_support.h"
+
+namespace mwt {
+namespace {
+
+std::vector<std::string> names() {
+  std::vector<std::string> result;
+  for (const BenchmarkCell& cell : benchmark_cells(testing::test_catalogue())) result.push_back(cell.name());
+  return result;
+}
+
+bool has(const std::vector<std::string>& all, const std::string& name) {
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+TEST(BenchmarkCells, GoByAlgorithmFamilyAndPowersOfTen) {
+  const std::vector<std::string> all = names();
+  EXPECT_TRUE(has(all, "well/uniform/10"));
+  EXPECT_TRUE(has(all, "well/uniform/100000"));
+  EXPECT_FALSE(has(all, "well/uniform/1000000")) << "beyond the algorithm's largest n";
+  EXPECT_FALSE(has(all, "small/uniform/10"));
+  EXPECT_TRUE(has(all, "well/report_example/10"));
+  EXPECT_FALSE(has(all, "well/report_example/100"));
+}
+
+PreparedCell prepared(const std::string& algorithm, const std::string& family, Index n) {
+  const Catalogue catalogue = testing::test_catalogue();
+  return prepare(catalogue, {&catalogue.algorithm(algorithm), &catalogue.generator(family), n});
+}
+
+TEST(PreparedCell, IsVerifiedAndHasItsYardstick) {
+  const PreparedCell cell = prepared("well", "uniform", 100);
+  EXPECT_EQ(cell.reason_to_skip, "");
+  EXPECT_GT(cell.yardstick_s, 0);
+  EXPECT_FALSE(cell.alpha) << "too large for a cheap optimum";
+}
+
+TEST(PreparedCell, SkipsWhatCannotBeTimed) {
+  EXPECT_EQ(prepared("declines", "uniform", 10).reason_to_skip, "takes nothing");
+  EXPECT_TRUE(prepared("invalid", "uniform", 10).reason_to_skip.starts_with("invalid output"));
+  EXPECT_NE(prepared("well", "report_example", 11).reason_to_skip, "");
+}
+
+TEST(PreparedCell, IsRatedWhereAnOptimumIsCheap) {
+  const PreparedCell cell = prepared("well", "fan", 10);
+  ASSERT_TRUE(cell.alpha);
+  EXPECT_EQ(cell.alpha->lower, 1);
+}
+
+}  // namespace
+}  // namespace mwt

@@ -1,0 +1,33 @@
+// What a study or a command may choose from. Tests bring catalogues of their own, with algorithms that misbehave.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "algorithms/algorithm.h"
+#include "generators/generator.h"
+
+namespace mwt {
+
+class Catalogue {
+ public:
+  /// The registries of algorithms and generators.
+  [[nodiscard]] static Catalogue built_in();
+
+  Catalogue(std::span<const AlgorithmInfo> algorithms, std::span<const GeneratorInfo> generators)
+      : algorithms_(algorithms), generators_(generators) {}
+
+  [[nodiscard]] std::span<const AlgorithmInfo> algorithms() const { return algorithms_; }
+  [[nodiscard]] std::span<const GeneratorInfo> generators() const { return generators_; }
+
+  /// The entry of that name; InputError lists the known names otherwise.
+  [[nodiscard]] const AlgorithmInfo& algorithm(const std::string& name) const;
+  [[nodiscard]] const GeneratorInfo& generator(const std::string& name) const;
+
+ private:
+  std::span<const AlgorithmInfo> algorithms_;
+  std::span<const GeneratorInfo> generators_;
+};
+
+}  // namespace mwt

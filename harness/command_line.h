@@ -1,0 +1,67 @@
+// Parsing the command line: the only door to CLI11.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace CLI {
+class App;
+}
+
+namespace mwt {
+
+/// How a run of the program ends; scripts rely on these.
+enum ExitCode : int {
+  kExitOk = 0,
+  kExitNegative = 1,     ///< the answer is no: an invalid triangulation, a regression
+  kExitUserMistake = 2,  ///< one line on standard error says what and how to mend it
+  kExitFailure = 3,      ///< of this program: an algorithm's invalid output, an exception nobody expected
+  kExitInterrupted = 130,
+};
+
+/// Declares what a command takes. Every `value` gets its value when the command line is parsed, before Command::run,
+/// and keeps its default if the option is not given.
+class CommandOptions {
+ public:
+  explicit CommandOptions(CLI::App& app) : app_(app) {}
+
+  void argument(const std::string& name, std::string& value, const std::string& help);
+  void optional_argument(const std::string& name, std::string& value, const std::string& help);
+
+  void flag(const std::string& name, bool& value, const std::string& help);
+  void required(const std::string& name, std::string& value, const std::string& help);
+  void option(const std::string& name, std::optional<std::string>& value, const std::string& help);
+  void option(const std::string& name, std::uint64_t& value, const std::string& help);
+  void option(const std::string& name, std::optional<Index>& value, const std::string& help);
+  void positive(const std::string& name, int& value, const std::string& help);
+  void positive(const std::string& name, std::optional<double>& value, const std::string& help);
+
+  /// An option that may be given several times.
+  void repeated(const std::string& name, std::vector<std::string>& values, const std::string& help);
+
+ private:
+  CLI::App& app_;
+};
+
+struct Command {
+  std::string name;
+  std::string summary;
+  std::function<void(CommandOptions&)> declare;
+  std::function<int()> run;  ///< returns the exit code
+};
+
+/// Parses, runs the command that the first argument names, and turns what it throws into an exit code and one line
+/// "mwt: ..." on standard error: InputError and NotApplicable are the user's mistakes, everything else a failure.
+[[nodiscard]] int run_command_line(std::span<const Command> commands, int argument_count, char** arguments);
+
+/// {"k=v", ...} as a map. InputError unless each has a name and a '=', and no name comes twice.
+[[nodiscard]] std::map<std::string, std::string> parse_parameters(const std::vector<std::string>& texts);
+
+}  // namespace mwt

@@ -1,0 +1,14 @@
+// All commands of `mwt`, one file each. To add one: its file, its declaration here and its line in mwt_main.cpp.
+#pragma once
+
+#include "harness/command_line.h"
+
+namespace mwt {
+
+[[nodiscard]] Command list_command();
+[[nodiscard]] Command generate_command();
+[[nodiscard]] Command solve_command();
+[[nodiscard]] Command check_command();
+[[nodiscard]] Command run_command();
+
+}  // namespace mwt

@@ -1,0 +1,66 @@
+#include "harness/csv.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/error.h"
+#include "harness/test_support.h"
+
+namespace mwt {
+namespace {
+
+using testing::read_text;
+using testing::TemporaryFolder;
+using testing::write_text;
+
+const CsvRow kHeader = {"a", "b"};
+
+TEST(Csv, AnyFieldsSurviveTheRoundTrip) {
+  const std::vector<CsvRow> rows = {{"plain", "with, comma"}, {"", "say \"yes\""}, {"two\nlines", "\"\""}, {"", ""}};
+  std::string text;
+  for (const CsvRow& row : rows) text += csv_line(row);
+  EXPECT_EQ(parse_csv(text), rows);
+}
+
+TEST(Csv, LinesMayEndLikeWindows) { EXPECT_EQ(parse_csv("a,b\r\n"), std::vector<CsvRow>{kHeader}); }
+
+TEST(Csv, ATornLastLineIsLeftOut) {
+  EXPECT_EQ(parse_csv("a,b\n1,2\n3,"), (std::vector<CsvRow>{{"a", "b"}, {"1", "2"}}));
+  EXPECT_TRUE(parse_csv("a,b").empty());
+}
+
+TEST(CsvFile, KeepsWhatItHadAndRemovesATornLine) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("file.csv");
+  { CsvFile(path, kHeader).append({"1", "2"}); }
+  std::ofstream(path, std::ios::app) << "3,torn";
+  {
+    CsvFile file(path, kHeader);
+    EXPECT_EQ(file.existing_rows(), (std::vector<CsvRow>{{"1", "2"}}));
+    file.append({"5", "6"});
+  }
+  EXPECT_EQ(read_text(path), "a,b\n1,2\n5,6\n");
+}
+
+TEST(CsvFile, ATornHeaderIsWrittenAgain) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("file.csv");
+  write_text(path, "a,");
+  { CsvFile(path, kHeader).append({"1", "2"}); }
+  EXPECT_EQ(read_text(path), "a,b\n1,2\n");
+}
+
+TEST(CsvFile, RefusesOtherColumnsAndChangesNothing) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("file.csv");
+  write_text(path, "a,c\n1,2\n");
+  EXPECT_THROW(CsvFile(path, kHeader), InputError);
+  EXPECT_EQ(read_text(path), "a,c\n1,2\n");
+}
+
+TEST(CsvFile, AFullDiskIsAnInputError) {
+  EXPECT_THROW(CsvFile("/dev/full", kHeader), InputError);
+  EXPECT_THROW(CsvFile("/no/such/folder/file.csv", kHeader), InputError);
+}
+
+}  // namespace
+}  // namespace mwt

@@ -1,0 +1,65 @@
+// Runs one algorithm on one instance, measures it, and judges what it returned. Everything that reports a time or a
+// weight goes through here: the command line, the workers of a study, the benchmarks.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/algorithm.h"
+#include "geometry/point_set.h"
+
+namespace mwt {
+
+/// Points as algorithms see them, with what every record says about them.
+struct Instance {
+  PointSet set;
+  std::string id;       ///< content hash
+  Index hull_size = 0;  ///< h, collinear boundary points included
+};
+
+/// Throws InputError as make_point_set().
+[[nodiscard]] Instance make_instance(const std::vector<Point>& input, const std::string& source);
+
+/// What to run and how.
+struct Request {
+  const AlgorithmInfo* algorithm = nullptr;
+  Parameters parameters;  ///< complete
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::optional<double> time_limit_s;  ///< soft: becomes the algorithm's deadline, counted from its start
+  std::optional<Triangulation> start;  ///< checked
+  std::function<void(const std::string& stage, double done)> progress;
+};
+
+/// A solution and what it cost: the algorithm alone, no reading, no checking.
+struct Execution {
+  Solution solution;
+  std::vector<std::pair<std::string, double>> phases;  ///< seconds, of the last execution
+  double wall_time_s = 0;
+  double cpu_time_s = 0;  ///< of the whole process: all threads
+  std::uint64_t peak_rss_bytes = 0;
+  std::uint64_t iterations = 1;  ///< executions over which the times are means
+};
+
+/// One execution. Throws what the algorithm throws; in particular NotApplicable.
+[[nodiscard]] Execution execute_once(const Request& request, Points points);
+
+/// As many executions as Google Benchmark finds needed to fill `min_time_s`: exactly one if that one is long enough.
+/// Times are means per execution; for repeated ones they include releasing the previous solution.
+/// Not reentrant: meant for a worker process of its own.
+[[nodiscard]] Execution execute_repeatedly(const Request& request, Points points, double min_time_s);
+
+/// What the checker and the certified sums say about a triangulation.
+struct Judgement {
+  std::optional<std::string> violation;  ///< the rest is meaningless if there is one
+  Interval weight;
+  Interval perimeter_sum;
+  std::uint64_t triangles = 0;
+  std::uint64_t edges = 0;
+};
+[[nodiscard]] Judgement judge(Points points, const Triangulation& triangulation);
+
+}  // namespace mwt

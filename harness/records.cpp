@@ -1,0 +1,178 @@
+#include "harness/records.h"
+
+#include <charconv>
+#include <map>
+#include <stdexcept>
+
+#include "geometry/number_text.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+std::string to_text(const std::string& value) { return one_line(value); }
+std::string to_text(double value) { return number_text(value); }
+std::string to_text(bool value) { return value ? "1" : "0"; }
+std::string to_text(int value) { return std::to_string(value); }
+std::string to_text(Index value) { return std::to_string(value); }
+std::string to_text(std::uint64_t value) { return std::to_string(value); }
+std::string to_text(RunStatus value) { return std::string(name_of(value)); }
+template <class Value>
+std::string to_text(const std::optional<Value>& value) {
+  return value ? to_text(*value) : "";
+}
+
+template <class Number>
+void read_text(const std::string& text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) throw std::invalid_argument(text);
+}
+void read_text(const std::string& text, std::string& value) { value = text; }
+void read_text(const std::string& text, bool& value) {
+  if (text != "0" && text != "1") throw std::invalid_argument(text);
+  value = text == "1";
+}
+void read_text(const std::string& text, RunStatus& value) {
+  const std::optional<RunStatus> status = status_of(text);
+  if (!status) throw std::invalid_argument(text);
+  value = *status;
+}
+template <class Value>
+void read_text(const std::string& text, std::optional<Value>& value) {
+  value.reset();
+  if (!text.empty()) read_text(text, value.emplace());
+}
+
+template <class Record, class Value>
+Column<Record> column(std::string name, Value Record::*member) {
+  return {std::move(name), [member](const Record& record) { return to_text(record.*member); },
+          [member](Record& record, const std::string& text) { read_text(text, record.*member); }};
+}
+
+}  // namespace
+
+const std::vector<Column<RunRecord>>& run_columns() {
+  using R = RunRecord;
+  static const std::vector<Column<R>> columns = {
+      column("schema_version", &R::schema_version),
+      column("run_id", &R::run_id),
+      column("study", &R::study),
+      column("env_id", &R::env_id),
+      column("recorded_at", &R::recorded_at),
+      column("git_commit", &R::git_commit),
+      column("binary_sha256", &R::binary_sha256),
+      column("algorithm", &R::algorithm),
+      column("params", &R::params),
+      column("generator", &R::generator),
+      column("generator_params", &R::generator_params),
+      column("n", &R::n),
+      column("seed", &R::seed),
+      column("instance_id", &R::instance_id),
+      column("repetition", &R::repetition),
+      column("threads", &R::threads),
+      column("time_limit_s", &R::time_limit_s),
+      column("memory_limit_bytes", &R::memory_limit_bytes),
+      column("status", &R::status),
+      column("checker", &R::checker),
+      column("message", &R::message),
+      column("wall_time_s", &R::wall_time_s),
+      column("cpu_time_s", &R::cpu_time_s),
+      column("iterations", &R::iterations),
+      column("peak_rss_bytes", &R::peak_rss_bytes),
+      column("weight_lower", &R::weight_lower),
+      column("weight_upper", &R::weight_upper),
+      column("optimum_lower", &R::optimum_lower),
+      column("optimum_upper", &R::optimum_upper),
+      column("optimality", &R::optimality),
+      column("alpha_lower", &R::alpha_lower),
+      column("alpha_upper", &R::alpha_upper),
+      column("optimal", &R::optimal),
+      column("stopped_early", &R::stopped_early),
+      column("perimeter_sum", &R::perimeter_sum),
+      column("triangles", &R::triangles),
+      column("edges", &R::edges),
+      column("triangulation_count", &R::triangulation_count),
+      column("phases", &R::phases),
+      column("counters", &R::counters),
+  };
+  return columns;
+}
+
+const std::vector<Column<InstanceRecord>>& instance_columns() {
+  using R = InstanceRecord;
+  static const std::vector<Column<R>> columns = {
+      column("schema_version", &R::schema_version),
+      column("instance_id", &R::instance_id),
+      column("study", &R::study),
+      column("env_id", &R::env_id),
+      column("recorded_at", &R::recorded_at),
+      column("generator", &R::generator),
+      column("generator_params", &R::generator_params),
+      column("n", &R::n),
+      column("seed", &R::seed),
+      column("distinct", &R::distinct),
+      column("duplicates", &R::duplicates),
+      column("hull_size", &R::hull_size),
+      column("optimum_lower", &R::optimum_lower),
+      column("optimum_upper", &R::optimum_upper),
+      column("optimality", &R::optimality),
+      column("optimum_source", &R::optimum_source),
+      column("optimum_time_s", &R::optimum_time_s),
+      column("optimum_note", &R::optimum_note),
+  };
+  return columns;
+}
+
+const std::vector<Column<EnvironmentRecord>>& environment_columns() {
+  using R = EnvironmentRecord;
+  static const std::vector<Column<R>> columns = {
+      column("schema_version", &R::schema_version),
+      column("env_id", &R::env_id),
+      column("study", &R::study),
+      column("recorded_at", &R::recorded_at),
+      column("git_commit", &R::git_commit),
+      column("binary_sha256", &R::binary_sha256),
+      column("cpu_model", &R::cpu_model),
+      column("logical_cpus", &R::logical_cpus),
+      column("memory_bytes", &R::memory_bytes),
+      column("operating_system", &R::operating_system),
+      column("kernel", &R::kernel),
+      column("compiler", &R::compiler),
+      column("compiler_flags", &R::compiler_flags),
+      column("governor", &R::governor),
+      column("turbo", &R::turbo),
+      column("load_1min", &R::load_1min),
+      column("swap_used_bytes", &R::swap_used_bytes),
+      column("jobs", &R::jobs),
+  };
+  return columns;
+}
+
+template <class Record>
+std::optional<Record> from_row(const std::vector<Column<Record>>& columns, const CsvRow& row) {
+  if (row.size() != columns.size()) return std::nullopt;
+  Record record;
+  try {
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].read(record, row[i]);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+  return record;
+}
+
+template std::optional<RunRecord> from_row(const std::vector<Column<RunRecord>>&, const CsvRow&);
+template std::optional<InstanceRecord> from_row(const std::vector<Column<InstanceRecord>>&, const CsvRow&);
+template std::optional<EnvironmentRecord> from_row(const std::vector<Column<EnvironmentRecord>>&, const CsvRow&);
+
+template <class NamedNumbers>
+std::string named_numbers(const NamedNumbers& numbers) {
+  std::string text;
+  for (const auto& [name, value] : numbers) text += (text.empty() ? "" : " ") + name + '=' + number_text(value);
+  return text;
+}
+
+template std::string named_numbers(const std::map<std::string, double>&);
+template std::string named_numbers(const std::vector<std::pair<std::string, double>>&);
+
+}  // namespace mwt

@@ -1,0 +1,86 @@
+#include "harness/records.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+
+namespace mwt {
+namespace {
+
+// The first column of the tables of results/README.md, by the file that the section's title names.
+std::map<std::string, std::vector<std::string>> documented_columns() {
+  std::map<std::string, std::vector<std::string>> columns;
+  std::ifstream page(MWT_SOURCE_DIR "/results/README.md");
+  std::string line;
+  std::string section;
+  while (std::getline(page, line)) {
+    if (line.starts_with("## ")) section = line.substr(3);
+    const std::size_t end = line.find('`', 3);
+    if (line.starts_with("| `") && !section.empty()) columns[section].push_back(line.substr(3, end - 3));
+  }
+  return columns;
+}
+
+TEST(Records, TheSchemaPageListsExactlyTheColumnsInTheirOrder) {
+  auto documented = documented_columns();
+  EXPECT_EQ(documented["runs.csv"], header_of(run_columns()));
+  EXPECT_EQ(documented["instances.csv"], header_of(instance_columns()));
+  EXPECT_EQ(documented["environments.csv"], header_of(environment_columns()));
+}
+
+TEST(Records, ARunSurvivesTheRoundTrip) {
+  RunRecord record;
+  record.run_id = "id";
+  record.params = "k=4 start=a,b";
+  record.seed = 18446744073709551615u;
+  record.status = RunStatus::out_of_memory;
+  record.wall_time_s = 0.1;
+  record.weight_lower = 5e-324;
+  record.stopped_early = true;
+  record.message = "two\nlines";
+  const std::optional<RunRecord> back = from_row(run_columns(), to_row(run_columns(), record));
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->params, record.params);
+  EXPECT_EQ(back->seed, record.seed);
+  EXPECT_EQ(back->status, record.status);
+  EXPECT_EQ(back->wall_time_s, record.wall_time_s);
+  EXPECT_EQ(back->weight_lower, record.weight_lower);
+  EXPECT_EQ(back->weight_upper, std::nullopt);
+  EXPECT_EQ(back->stopped_early, true);
+  EXPECT_EQ(back->message, "two lines");
+}
+
+TEST(Records, MissingIsEmptyNotZero) {
+  const CsvRow row = to_row(run_columns(), RunRecord{});
+  const CsvRow header = header_of(run_columns());
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (header[i] == "alpha_upper" || header[i] == "wall_time_s" || header[i] == "optimal") EXPECT_EQ(row[i], "");
+  }
+}
+
+TEST(Records, MalformedRowsAreNone) {
+  CsvRow row = to_row(run_columns(), RunRecord{});
+  EXPECT_TRUE(from_row(run_columns(), row));
+  row.back() = "";
+  row.push_back("one too many");
+  EXPECT_FALSE(from_row(run_columns(), row));
+  row.pop_back();
+  row[11] = "ten";  // n
+  EXPECT_FALSE(from_row(run_columns(), row));
+}
+
+TEST(Records, NamedNumbersAreShortest) {
+  EXPECT_EQ(named_numbers(std::map<std::string, double>{{"flips", 2}, {"share", 0.1}}), "flips=2 share=0.1");
+}
+
+TEST(Status, EveryNameComesBack) {
+  for (const char* name : {"ok", "timeout", "out_of_memory", "crashed", "invalid_output", "not_applicable", "error"}) {
+    ASSERT_TRUE(status_of(name)) << name;
+    EXPECT_EQ(name_of(*status_of(name)), name);
+  }
+  EXPECT_FALSE(status_of("fine"));
+}
+
+}  // namespace
+}  // namespace mwt

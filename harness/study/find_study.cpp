@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "geometry/error.h"
+#include "harness/build_info.h"
+#include "harness/study/study.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where the project's studies are: beside the sources that this program was built from, or, if these have been moved
+// together with their build directory, at the same place relative to the program.
+fs::path studies_folder() {
+  const fs::path from_sources = fs::path(source_folder()) / "harness" / "studies";
+  std::error_code ignored;
+  if (fs::is_directory(from_sources, ignored)) return from_sources;
+  return fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../../harness/studies";
+}
+
+}  // namespace
+
+std::vector<std::string> study_names() {
+  std::vector<std::string> names;
+  std::error_code missing;
+  for (const fs::directory_entry& entry : fs::directory_iterator(studies_folder(), missing)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string find_study_file(const std::string& name_or_path) {
+  const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
+  if (is_path) return name_or_path;
+  const std::vector<std::string> names = study_names();
+  if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
+    return (studies_folder() / (name_or_path + ".toml")).string();
+  }
+  throw InputError("unknown study '" + name_or_path + "'; known: " + joined(names) +
+                   "; or give the path of a .toml file");
+}
+
+}  // namespace mwt

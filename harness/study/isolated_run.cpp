@@ -1,0 +1,60 @@
+#include "harness/study/isolated_run.h"
+
+#include <utility>
+
+#include "harness/study/worker.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+// Checking and weighing take about a microsecond per point; ten times that, and a second for a machine under load.
+double checking_allowance_s(Index n) { return 1 + 1e-5 * n; }
+
+ProcessLimits process_limits(const RunLimits& limits, Index n, int threads) {
+  ProcessLimits result;
+  result.wall_s = limits.time_s + limits.grace_s + checking_allowance_s(n);
+  result.cpu_s = result.wall_s * threads;
+  result.memory_bytes = limits.memory_bytes;
+  return result;
+}
+
+RunStatus status_after(ProcessEnd end) {
+  switch (end) {
+    case ProcessEnd::stopped_at_limit: return RunStatus::timeout;
+    case ProcessEnd::killed: return RunStatus::out_of_memory;
+    case ProcessEnd::finished:
+    case ProcessEnd::crashed: break;
+  }
+  return RunStatus::crashed;
+}
+
+RunRecord record_after(const ProcessResult& process, RunRecord keys) {
+  if (process.end == ProcessEnd::finished) {
+    if (std::optional<RunRecord> record = decode(process.output)) return *std::move(record);
+  }
+  keys.status = status_after(process.end);
+  keys.message = process.how.empty() ? "its result was unreadable" : process.how;
+  if (!process.error_tail.empty()) keys.message += ": " + process.error_tail;
+  return keys;
+}
+
+}  // namespace
+
+void start_isolated_run(ProcessPool& pool, const Request& request, std::shared_ptr<const Instance> instance,
+                        const RunRecord& keys, const RunLimits& limits, double min_time_s,
+                        std::function<void(RunRecord)> when_done) {
+  const auto work = [&] {
+    return encode(run_in_worker(request, *instance, keys, min_time_s, limits.time_s + limits.grace_s));
+  };
+  const ProcessLimits process =
+      process_limits(limits, static_cast<Index>(instance->set.points.size()), request.threads);
+  pool.start(work, process, [keys, when_done = std::move(when_done)](const ProcessResult& result) {
+    RunRecord record = record_after(result, keys);
+    record.recorded_at = utc_now();
+    when_done(std::move(record));
+  });
+}
+
+}  // namespace mwt

@@ -1,0 +1,118 @@
+#include "harness/study/optimum_search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "geometry/error.h"
+#include "harness/quality.h"
+#include "harness/study/isolated_run.h"
+#include "harness/study/plan.h"
+
+namespace mwt {
+
+namespace {
+
+// One search, alive as long as a process of it runs.
+struct Search : std::enable_shared_from_this<Search> {
+  ProcessPool& pool;
+  std::shared_ptr<const Instance> instance;
+  std::vector<const AlgorithmInfo*> sources;
+  RunLimits limits;
+  std::function<void(FoundOptimum)> when_done;
+  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+  std::size_t next = 0;
+  FoundOptimum found;
+
+  explicit Search(ProcessPool& p) : pool(p) {}
+
+  void ask_next_source() {
+    const bool is_settled = found.contradiction || optimality_of(found.interval) == Optimality::proved;
+    if (is_settled || next == sources.size()) {
+      finish();
+      return;
+    }
+    const AlgorithmInfo& source = *sources[next++];
+    Request request;
+    request.algorithm = &source;
+    request.parameters = Parameters(source.name, source.parameters, {});
+    request.time_limit_s = limits.time_s;
+    const double once = 1e-9;
+    start_isolated_run(pool, request, instance, {}, limits, once,
+                       [self = shared_from_this(), &source](const RunRecord& record) { self->take(source, record); });
+  }
+
+  void take(const AlgorithmInfo& source, const RunRecord& record) {
+    if (const std::optional<Interval> bounds = optimum_of(record)) {
+      combine(source.name, *bounds);
+    } else {
+      note(source.name + ": " + std::string(name_of(record.status)) +
+           (record.message.empty() ? "" : ", " + record.message));
+    }
+    ask_next_source();
+  }
+
+  void combine(const std::string& source, const Interval& bounds) {
+    if (!found.interval) {
+      found.interval = bounds;
+      found.source = source;
+      return;
+    }
+    const std::optional<Interval> common = intersection(*found.interval, bounds);
+    found.contradiction = !common;
+    if (!common) note("CONTRADICTION between " + found.source + " and " + source);
+    found.interval = common;
+    found.source += '+' + source;
+  }
+
+  void note(const std::string& text) { found.note += (found.note.empty() ? "" : "; ") + text; }
+
+  void finish() {
+    if (optimality_of(found.interval) == Optimality::proved) found.note.clear();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    found.time_s = elapsed.count();
+    when_done(std::move(found));
+  }
+};
+
+const AlgorithmInfo& exact_algorithm(const Catalogue& catalogue, const OptimumSource& source) {
+  try {
+    const AlgorithmInfo& info = catalogue.algorithm(source.algorithm);
+    if (info.exactness != Exactness::exact) throw InputError("'" + info.name + "' is not exact");
+    return info;
+  } catch (const InputError& error) {
+    throw InputError(source.place + ": optimum source: " + error.what());
+  }
+}
+
+}  // namespace
+
+std::vector<const AlgorithmInfo*> optimum_sources_for(const Catalogue& catalogue,
+                                                      const std::vector<OptimumSource>& sources, Index n) {
+  std::vector<const AlgorithmInfo*> result;
+  for (const OptimumSource& source : sources) {
+    const AlgorithmInfo& info = exact_algorithm(catalogue, source);
+    if (n <= largest_n_for(info, source.largest_n)) result.push_back(&info);
+  }
+  if (!sources.empty()) return result;
+  for (const AlgorithmInfo& info : catalogue.algorithms()) {
+    if (info.exactness == Exactness::exact && n <= largest_n_for(info, {})) result.push_back(&info);
+  }
+  std::stable_sort(result.begin(), result.end(), [](const AlgorithmInfo* a, const AlgorithmInfo* b) {
+    return largest_n_for(*a, {}) > largest_n_for(*b, {});
+  });
+  return result;
+}
+
+void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
+                  std::vector<const AlgorithmInfo*> sources, const RunLimits& limits,
+                  std::function<void(FoundOptimum)> when_done) {
+  const auto search = std::make_shared<Search>(pool);
+  search->instance = std::move(instance);
+  search->sources = std::move(sources);
+  search->limits = limits;
+  search->when_done = std::move(when_done);
+  search->ask_next_source();
+}
+
+}  // namespace mwt

@@ -1,0 +1,168 @@
+#include "harness/study/plan.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "geometry/error.h"
+#include "geometry/point_set.h"
+#include "harness/start_triangulation.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+// Runs `look_up`; its complaints get the place in the study file that they are about.
+template <class LookUp>
+auto at_place(const std::string& place, LookUp look_up) {
+  try {
+    return look_up();
+  } catch (const InputError& error) {
+    throw InputError(place + ": " + error.what());
+  }
+}
+
+template <class Choice, class Entry>
+std::vector<Choice> without_wildcard(const std::vector<Choice>& choices, std::span<const Entry> entries) {
+  const auto is_named = [&](const std::string& name) {
+    return std::any_of(choices.begin(), choices.end(), [&](const Choice& choice) { return choice.name == name; });
+  };
+  std::vector<Choice> expanded;
+  for (const Choice& choice : choices) {
+    if (choice.name != "*") {
+      expanded.push_back(choice);
+      continue;
+    }
+    for (const Entry& entry : entries) {
+      if (is_named(entry.name)) continue;
+      expanded.push_back(choice);
+      expanded.back().name = entry.name;
+    }
+  }
+  return expanded;
+}
+
+// The nearest n of which the family has an instance, the smaller one of two; 0 if there is none near.
+Index nearest_legal_n(const PlannedInstance& wanted, std::string& complaint) {
+  const Index reach = std::max<Index>(5, wanted.n / 8);
+  const Index largest = wanted.family->largest_n == 0 ? kNoIndex : wanted.family->largest_n;
+  for (Index distance = 0; distance <= reach; ++distance) {
+    for (const std::int64_t n : {std::int64_t{wanted.n} - distance, std::int64_t{wanted.n} + distance}) {
+      const bool in_range = n >= wanted.family->smallest_n && n <= largest;
+      if (!in_range) continue;
+      try {
+        const auto points = wanted.family->function(static_cast<Index>(n), wanted.seed, wanted.parameters);
+        static_cast<void>(make_point_set(points, wanted.family->name));
+        return static_cast<Index>(n);
+      } catch (const InputError& error) {
+        complaint = error.what();
+      }
+    }
+  }
+  return 0;
+}
+
+class Planner {
+ public:
+  Planner(const Study& study, const Catalogue& catalogue) : study_(study), catalogue_(catalogue) {}
+
+  Plan make() {
+    for (const AlgorithmChoice& choice : without_wildcard(study_.algorithms, catalogue_.algorithms())) {
+      at_place(choice.place, [&] { add_algorithm(choice); });
+    }
+    for (const FamilyChoice& choice : without_wildcard(study_.families, catalogue_.generators())) {
+      at_place(choice.place, [&] { add_family(choice); });
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  void add_algorithm(const AlgorithmChoice& choice) {
+    const AlgorithmInfo& info = catalogue_.algorithm(choice.name);
+    PlannedRun run;
+    run.algorithm = &info;
+    run.parameters = Parameters(info.name, info.parameters, choice.parameters);
+    run.largest_n = largest_n_for(info, choice.largest_n);
+    if (start_file_of(info, run.parameters)) {
+      throw InputError(info.name + ": a study cannot start from a given triangulation; choose one of the named starts");
+    }
+    algorithms_.push_back(std::move(run));
+  }
+
+  void add_family(const FamilyChoice& choice) {
+    const GeneratorInfo& family = catalogue_.generator(choice.name);
+    const Parameters parameters(family.name, family.parameters, choice.parameters);
+    std::vector<Index> sizes = choice.sizes.empty() ? study_.sizes : choice.sizes;
+    if (family.fixed_n != 0) sizes = {family.fixed_n};
+    if (sizes.empty()) throw InputError("no sizes for '" + family.name + "'; give the study or the family 'sizes'");
+    std::vector<std::uint64_t> seeds = choice.seeds.empty() ? study_.seeds : choice.seeds;
+    if (!family.seeded) seeds.resize(1);
+    for (const Index size : sizes) {
+      PlannedInstance instance{&family, parameters, size, seeds.front()};
+      instance.n = legal_n(instance);
+      if (instance.n == 0) continue;
+      for (const std::uint64_t seed : seeds) {
+        instance.seed = seed;
+        add_instance(instance);
+      }
+    }
+  }
+
+  Index legal_n(const PlannedInstance& wanted) {
+    std::string complaint = "no instance near that size";
+    const Index n = nearest_legal_n(wanted, complaint);
+    if (n == 0)
+      plan_.notes.push_back("left out: " + wanted.family->name + " n=" + std::to_string(wanted.n) + ": " + complaint);
+    if (n != 0 && n != wanted.n) {
+      plan_.notes.push_back(wanted.family->name + " has no n=" + std::to_string(wanted.n) +
+                            "; taken: n=" + std::to_string(n));
+    }
+    return n;
+  }
+
+  void add_instance(const PlannedInstance& instance) {
+    const std::string key = joined({study_.name, instance.family->name, instance.parameters.canonical(),
+                                    std::to_string(instance.n), std::to_string(instance.seed)},
+                                   "\n");
+    if (!known_instances_.insert(key).second) return;
+    plan_.instances.push_back(instance);
+    for (int repetition = 0; repetition < study_.repetitions; ++repetition) {
+      for (PlannedRun run : algorithms_) {
+        run.instance = plan_.instances.size() - 1;
+        run.repetition = repetition;
+        run.run_id = short_hash(
+            joined({key, run.algorithm->name, run.parameters.canonical(), std::to_string(repetition)}, "\n"));
+        if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
+      }
+    }
+  }
+
+  const Study& study_;
+  const Catalogue& catalogue_;
+  Plan plan_;
+  std::vector<PlannedRun> algorithms_;  // templates: instance, repetition and id still open
+  std::set<std::string> known_instances_;
+  std::set<std::string> known_runs_;
+};
+
+}  // namespace
+
+std::string PlannedInstance::label() const {
+  const std::string given = parameters.canonical();
+  return family->name + (given.empty() ? "" : " " + given) + " n=" + std::to_string(n) +
+         " seed=" + std::to_string(seed);
+}
+
+Index largest_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study) {
+  const Index own = algorithm.largest_n == 0 ? kNoIndex : algorithm.largest_n;
+  return std::min(own, of_study.value_or(kNoIndex));
+}
+
+Plan make_plan(const Study& study, const Catalogue& catalogue) {
+  Plan plan = Planner(study, catalogue).make();
+  if (plan.runs.empty()) throw InputError("study '" + study.name + "' has nothing to run");
+  return plan;
+}
+
+}  // namespace mwt

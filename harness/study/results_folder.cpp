@@ -1,0 +1,109 @@
+#include "harness/study/results_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "geometry/error.h"
+#include "geometry/input_file.h"
+#include "geometry/output_file.h"
+
+namespace mwt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Record>
+std::vector<Record> records_of(const std::vector<CsvRow>& rows, const std::vector<Column<Record>>& columns,
+                               const std::string& file) {
+  std::vector<Record> records;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::optional<Record> record = from_row(columns, rows[i]);
+    if (!record) throw InputError(file + ":" + std::to_string(i + 2) + ": malformed row");
+    records.push_back(*std::move(record));
+  }
+  return records;
+}
+
+void make_folder(const fs::path& folder, bool resume) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    throw InputError(folder.string() + ": cannot make this folder: " + error.message() + "; choose another with --out");
+  }
+  if (!resume && !fs::is_empty(folder, error)) {
+    throw InputError(folder.string() +
+                     ": has results already; continue them with --resume or choose another with --out");
+  }
+}
+
+void keep_study_file(const fs::path& folder, const Study& study) {
+  const std::string copy = (folder / "study.toml").string();
+  if (!fs::exists(copy)) {
+    write_file_atomically(copy, study.file_content);
+  } else if (read_file(copy) != study.file_content) {
+    throw InputError(folder.string() + ": its study.toml differs from this study; choose another folder with --out");
+  }
+}
+
+}  // namespace
+
+ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool resume) {
+  const fs::path folder(path);
+  make_folder(folder, resume);
+  lock(path);
+  keep_study_file(folder, study);
+  const auto open_file = [&](const char* name, const CsvRow& header) {
+    return std::make_unique<CsvFile>((folder / name).string(), header);
+  };
+  run_file_ = open_file("runs.csv", header_of(run_columns()));
+  instance_file_ = open_file("instances.csv", header_of(instance_columns()));
+  environment_file_ = open_file("environments.csv", header_of(environment_columns()));
+  runs_ = records_of(run_file_->existing_rows(), run_columns(), (folder / "runs.csv").string());
+  instances_ = records_of(instance_file_->existing_rows(), instance_columns(), (folder / "instances.csv").string());
+}
+
+ResultsFolder::~ResultsFolder() {
+  if (lock_ >= 0) close(lock_);
+}
+
+// The lock is on the folder itself: it leaves no file and ends with the process, however that ends.
+void ResultsFolder::lock(const std::string& path) {
+  lock_ = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0) throw InputError(path + ": " + std::strerror(errno));
+  if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    close(lock_);
+    throw InputError(path + ": another mwt run is writing here; wait for it or choose another folder with --out");
+  }
+}
+
+void ResultsFolder::append(const RunRecord& record) {
+  run_file_->append(to_row(run_columns(), record));
+  runs_.push_back(record);
+}
+
+void ResultsFolder::append(const InstanceRecord& record) {
+  instance_file_->append(to_row(instance_columns(), record));
+  instances_.push_back(record);
+}
+
+void ResultsFolder::append(const EnvironmentRecord& record) {
+  environment_file_->append(to_row(environment_columns(), record));
+}
+
+std::vector<RunRecord> read_runs(const std::string& folder) {
+  const std::string file = (fs::path(folder) / "runs.csv").string();
+  std::vector<CsvRow> rows = parse_csv(read_file(file));
+  if (rows.empty() || rows.front() != header_of(run_columns())) {
+    throw InputError(file + ": its columns are not those of schema version " + std::to_string(kSchemaVersion));
+  }
+  rows.erase(rows.begin());
+  return records_of(rows, run_columns(), file);
+}
+
+}  // namespace mwt

@@ -1,0 +1,47 @@
+// The folder that a study's records go to.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "harness/records.h"
+#include "harness/study/study.h"
+
+namespace mwt {
+
+/// Holds runs.csv, instances.csv, environments.csv and study.toml (a copy of the study file), and a lock: a second
+/// `mwt run` on the same folder is refused while this object lives.
+///
+/// Throws InputError: the folder holds something and `resume` is false; it is another study's; it is in use; it cannot
+/// be written. Nothing that was there is changed then.
+class ResultsFolder {
+ public:
+  ResultsFolder(const std::string& path, const Study& study, bool resume);
+  ~ResultsFolder();
+  ResultsFolder(const ResultsFolder&) = delete;
+  ResultsFolder& operator=(const ResultsFolder&) = delete;
+
+  void append(const RunRecord& record);
+  void append(const InstanceRecord& record);
+  void append(const EnvironmentRecord& record);
+
+  /// All records, those of earlier invocations first.
+  [[nodiscard]] const std::vector<RunRecord>& runs() const { return runs_; }
+  [[nodiscard]] const std::vector<InstanceRecord>& instances() const { return instances_; }
+
+ private:
+  void lock(const std::string& path);
+
+  int lock_ = -1;
+  std::unique_ptr<CsvFile> run_file_;
+  std::unique_ptr<CsvFile> instance_file_;
+  std::unique_ptr<CsvFile> environment_file_;
+  std::vector<RunRecord> runs_;
+  std::vector<InstanceRecord> instances_;
+};
+
+/// The runs recorded in a results folder. Throws InputError: no runs.csv, another schema version, a malformed row.
+[[nodiscard]] std::vector<RunRecord> read_runs(const std::string& folder);
+
+}  // namespace mwt

@@ -1,0 +1,37 @@
+// Runs a study from plan to tables.
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "harness/catalogue.h"
+#include "harness/study/study.h"
+
+namespace mwt {
+
+struct RunOptions {
+  std::string folder;  ///< where the records go
+  bool resume = false;
+  int jobs = 1;  ///< runs side by side; more than one disturbs times
+  bool is_terminal = false;
+};
+
+struct StudyOutcome {
+  std::size_t runs = 0;            ///< recorded by this invocation
+  std::size_t failures = 0;        ///< of these
+  std::size_t contradictions = 0;  ///< certified intervals that exclude each other: a wrong solver
+  bool interrupted = false;        ///< by Ctrl-C or SIGTERM
+};
+
+/// First the optimum of every instance, then every run that is not recorded yet, each in a process of its own; every
+/// result is on the disk before the next one begins. Progress, notes and the final tables go to `out`.
+///
+/// Every row's optimum is all that is certified about its instance by then: what the optimum sources found, what exact
+/// runs found since, and, as an upper end, the run's own weight. Intervals that exclude each other make the row an
+/// error and are announced: one of the solvers is wrong.
+///
+/// Throws InputError for everything that is wrong with the study or the folder, before anything is run.
+[[nodiscard]] StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const RunOptions& options,
+                                     std::ostream& out);
+
+}  // namespace mwt

@@ -1,0 +1,168 @@
+#include "harness/study/run_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "geometry/error.h"
+#include "harness/study/results_folder.h"
+#include "harness/test_support.h"
+
+namespace mwt {
+namespace {
+
+using testing::read_text;
+using testing::TemporaryFolder;
+using testing::write_text;
+
+Study study_of(const std::vector<std::string>& algorithms, const std::string& family = "uniform") {
+  Study study;
+  study.name = "s";
+  study.file_content = "# s\n";
+  study.families = {{family, {}, {}, {}, ""}};
+  study.sizes = {10};
+  study.min_time_s = 1e-4;
+  study.limits = {0.3, 0.2, std::uint64_t{1} << 27};
+  study.optimum_limits = study.limits;
+  study.seeks_optimum = false;
+  for (const std::string& name : algorithms) study.algorithms.push_back({name, {}, {}, ""});
+  return study;
+}
+
+StudyOutcome run(const Study& study, const std::string& folder, bool resume = false, int jobs = 1) {
+  std::ostringstream out;
+  return run_study(study, testing::test_catalogue(), {folder, resume, jobs, false}, out);
+}
+
+std::map<std::string, RunRecord> by_algorithm(const std::string& folder) {
+  std::map<std::string, RunRecord> records;
+  for (const RunRecord& record : read_runs(folder)) records[record.algorithm] = record;
+  return records;
+}
+
+TEST(RunStudy, EveryMisbehaviourIsOneRow) {
+  const TemporaryFolder folder;
+  const StudyOutcome outcome = run(study_of({"crashes", "well", "leaves", "hangs", "allocates", "invalid", "throws",
+                                             "declines", "chats", "small", "claims", "well"}),
+                                   folder.path("out"), false, 2);
+  auto runs = by_algorithm(folder.path("out"));
+  ASSERT_EQ(runs.size(), 11u);
+  EXPECT_EQ(runs["well"].status, RunStatus::ok);
+  EXPECT_EQ(runs["chats"].status, RunStatus::ok);
+  EXPECT_EQ(runs["crashes"].status, RunStatus::crashed);
+  EXPECT_EQ(runs["leaves"].status, RunStatus::crashed);
+  EXPECT_TRUE(runs["leaves"].message.ends_with("giving up")) << runs["leaves"].message;
+  EXPECT_EQ(runs["hangs"].status, RunStatus::timeout);
+  EXPECT_EQ(runs["allocates"].status, RunStatus::out_of_memory) << runs["allocates"].message;
+  EXPECT_EQ(runs["invalid"].status, RunStatus::invalid_output);
+  EXPECT_NE(runs["invalid"].checker, "ok");
+  EXPECT_EQ(runs["throws"].status, RunStatus::error);
+  EXPECT_EQ(runs["throws"].message, "lost its way");
+  EXPECT_EQ(runs["declines"].status, RunStatus::not_applicable);
+  EXPECT_EQ(runs["small"].status, RunStatus::not_applicable);
+  EXPECT_EQ(runs["claims"].status, RunStatus::error);
+  EXPECT_EQ(outcome.runs, 11u);
+  EXPECT_EQ(outcome.failures, 7u);
+}
+
+TEST(RunStudy, RowsOfGoodRunsAreComplete) {
+  const TemporaryFolder folder;
+  run(study_of({"well"}), folder.path("out"));
+  const RunRecord record = by_algorithm(folder.path("out")).at("well");
+  EXPECT_EQ(record.checker, "ok");
+  EXPECT_EQ(record.optimality, "none");
+  EXPECT_EQ(record.optimal, "undecided");
+  EXPECT_FALSE(record.alpha_upper);
+  EXPECT_GT(record.wall_time_s.value(), 0);
+  EXPECT_GT(record.weight_lower.value(), 0);
+  EXPECT_LE(record.weight_lower.value(), record.weight_upper.value());
+  EXPECT_GT(record.triangles.value(), 0u);
+  EXPECT_EQ(record.instance_id.size(), 32u);
+  EXPECT_EQ(record.binary_sha256.size(), 64u);
+}
+
+TEST(RunStudy, AlphaComesFromTheOptimumSources) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well"}, "fan");
+  study.seeks_optimum = true;
+  study.optimum_sources = {{"weak_bound", {}, ""}, {"fan_exact", {}, ""}};
+  run(study, folder.path("out"));
+  const RunRecord record = by_algorithm(folder.path("out")).at("well");
+  EXPECT_EQ(record.optimality, "proved");
+  EXPECT_EQ(record.optimal, "yes");
+  EXPECT_EQ(record.alpha_lower, 1);
+  EXPECT_LT(record.alpha_upper.value(), 1 + 1e-12);
+  EXPECT_NE(read_text(folder.path("out/instances.csv")).find(",weak_bound+fan_exact,"), std::string::npos);
+}
+
+TEST(RunStudy, BoundsThatProveNothingStillGiveAlpha) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well"});
+  study.seeks_optimum = true;
+  study.optimum_sources = {{"weak_bound", {}, ""}};
+  run(study, folder.path("out"));
+  const RunRecord record = by_algorithm(folder.path("out")).at("well");
+  EXPECT_EQ(record.optimality, "bounded");
+  EXPECT_NEAR(record.alpha_upper.value(), 2, 1e-9);
+}
+
+// What has to be the same however often a study was interrupted.
+std::vector<std::string> essence(const std::string& folder) {
+  std::vector<std::string> rows;
+  for (const RunRecord& record : read_runs(folder)) {
+    rows.push_back(record.run_id + ' ' + std::string(name_of(record.status)) + ' ' + record.optimal);
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+TEST(RunStudy, ResumingRunsExactlyWhatIsMissing) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well", "throws", "chats"});
+  study.seeds = {1, 2, 3};
+  run(study, folder.path("out"));
+  const std::string complete = read_text(folder.path("out/runs.csv"));
+  const std::vector<std::string> expected = essence(folder.path("out"));
+  for (const std::size_t kept : {complete.size() / 2, complete.size() / 3, std::size_t{20}, complete.size()}) {
+    write_text(folder.path("out/runs.csv"), complete.substr(0, kept));
+    run(study, folder.path("out"), true);
+    EXPECT_EQ(essence(folder.path("out")), expected) << kept;
+  }
+}
+
+TEST(RunStudy, ResumingOnNothingBegins) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run(study_of({"well"}), folder.path("a/b"), true).runs, 1u);
+}
+
+TEST(RunStudy, RefusesAFolderInUseOrOfAnotherStudy) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well"});
+  run(study, folder.path("out"));
+  const std::string before = read_text(folder.path("out/runs.csv"));
+  EXPECT_THROW(run(study, folder.path("out")), InputError);
+  study.file_content = "# another\n";
+  EXPECT_THROW(run(study, folder.path("out"), true), InputError);
+  write_text(folder.path("file"), "x");
+  EXPECT_THROW(run(study, folder.path("file")), InputError);
+  EXPECT_EQ(read_text(folder.path("file")), "x");
+  study.file_content = "# s\n";
+  {
+    const ResultsFolder holder(folder.path("out"), study, true);
+    EXPECT_THROW(run(study, folder.path("out"), true), InputError);
+  }
+  EXPECT_EQ(read_text(folder.path("out/runs.csv")), before);
+}
+
+TEST(RunStudy, WrongSourcesAreRefusedBeforeTheFolderIsMade) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well"});
+  study.optimum_sources = {{"well", {}, "s.toml:9"}};
+  EXPECT_THROW(run(study, folder.path("out")), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("out")));
+}
+
+}  // namespace
+}  // namespace mwt

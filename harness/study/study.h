@@ -1,0 +1,74 @@
+// A study: what is to be run, as a study file says it. harness/studies/README.md documents the file's keys.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace mwt {
+
+/// One family with its parameters; sizes and seeds are the study's unless it has its own.
+struct FamilyChoice {
+  std::string name;  ///< "*": every family that the study does not name otherwise
+  std::map<std::string, std::string> parameters;
+  std::vector<Index> sizes;
+  std::vector<std::uint64_t> seeds;
+  std::string place;  ///< "FILE:LINE" for messages
+};
+
+/// One algorithm with its parameters.
+struct AlgorithmChoice {
+  std::string name;  ///< "*": every algorithm that the study does not name otherwise
+  std::map<std::string, std::string> parameters;
+  std::optional<Index> largest_n;  ///< at most the registry's
+  std::string place;
+};
+
+/// An exact algorithm that may be asked for the optimum of an instance.
+struct OptimumSource {
+  std::string algorithm;
+  std::optional<Index> largest_n;  ///< at most the registry's
+  std::string place;
+};
+
+/// Limits of one run in its own process.
+struct RunLimits {
+  double time_s = 60;                                   ///< the algorithm's soft deadline
+  double grace_s = 2;                                   ///< killed at time_s + grace_s
+  std::uint64_t memory_bytes = std::uint64_t{2} << 30;  ///< data beyond what the worker begins with
+};
+
+struct Study {
+  std::string name;
+  std::string summary;
+  std::string file_content;  ///< copied into the results
+  std::vector<FamilyChoice> families;
+  std::vector<Index> sizes;
+  std::vector<std::uint64_t> seeds = {1};
+  std::vector<AlgorithmChoice> algorithms;
+  int repetitions = 1;
+  int threads = 1;
+  double min_time_s = 0.005;  ///< executions are repeated until they fill this: steady times for microsecond runs
+  RunLimits limits;
+  RunLimits optimum_limits;
+  bool seeks_optimum = true;
+  std::vector<OptimumSource> optimum_sources;  ///< asked in this order; empty: every exact algorithm of the registry
+};
+
+/// Reads a study file. A parameter whose value is a list stands for one choice per element; several lists multiply.
+/// Throws InputError "FILE:LINE: what; remedy": not TOML, an unknown key, a value of the wrong type
+/// or range, a missing key. Names of families and algorithms are checked when the study is planned.
+[[nodiscard]] Study read_study(const std::string& path);
+
+/// The path of a study: itself if it is a file or looks like a path, else a study of that name in the project's
+/// harness/studies. Throws InputError listing the known names.
+[[nodiscard]] std::string find_study_file(const std::string& name_or_path);
+
+/// The names of the project's studies, sorted.
+[[nodiscard]] std::vector<std::string> study_names();
+
+}  // namespace mwt

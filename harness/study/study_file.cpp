@@ -1,0 +1,256 @@
+// The only door to toml++.
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <utility>
+
+#include "geometry/error.h"
+#include "geometry/input_file.h"
+#include "geometry/number_text.h"
+#include "harness/study/study.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+using ParameterValues = std::map<std::string, std::string>;
+
+std::string place_of(const std::string& file, const toml::source_region& source) {
+  return file + ':' + std::to_string(source.begin.line);
+}
+
+// A table of the file whose keys are asked for one by one; what was not asked for is an error in the end.
+class TableReader {
+ public:
+  TableReader(std::string file, const toml::table& table, std::string title)
+      : TableReader(file, table, title, place_of(file, table.source())) {}
+
+  // For a table that stands for a name in the file, at `place`.
+  TableReader(std::string file, const toml::table& table, std::string title, std::string place)
+      : file_(std::move(file)), table_(table), title_(std::move(title)), place_(std::move(place)) {}
+
+  [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
+    throw InputError(place_of(file_, node.source()) + ": " + what);
+  }
+
+  [[nodiscard]] const std::string& place() const { return place_; }
+  [[nodiscard]] const std::string& file() const { return file_; }
+
+  const toml::node* find(const std::string& key) {
+    known_.push_back(key);
+    return table_.get(key);
+  }
+
+  std::string text(const std::string& key) {
+    const toml::node* node = find(key);
+    if (node == nullptr) throw InputError(place_ + ": " + title_ + " needs the key '" + key + "'");
+    return text_of(*node, key);
+  }
+
+  std::string text_of(const toml::node& node, const std::string& key) const {
+    if (!node.is_string()) fail(node, "'" + key + "' must be text in quotes");
+    return node.ref<std::string>();
+  }
+
+  void read_positive(const std::string& key, double& value) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    const auto number = node->value<double>();
+    if (!number || !node->is_number() || !std::isfinite(*number) || !(*number > 0)) {
+      fail(*node, "'" + key + "' must be a positive number");
+    }
+    value = *number;
+  }
+
+  std::int64_t integer_of(const toml::node& node, const std::string& key, std::int64_t smallest) const {
+    const bool in_range = node.is_integer() && node.ref<std::int64_t>() >= smallest;
+    if (!in_range) fail(node, "'" + key + "' must be a whole number of at least " + std::to_string(smallest));
+    return node.ref<std::int64_t>();
+  }
+
+  void read_integer(const std::string& key, std::int64_t smallest, const std::function<void(std::int64_t)>& use) {
+    if (const toml::node* node = find(key)) use(integer_of(*node, key, smallest));
+  }
+
+  void for_each_element(const std::string& key, const std::function<void(const toml::node&)>& use) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    if (!node->is_array() || node->as_array()->empty()) fail(*node, "'" + key + "' must be a list, not empty");
+    for (const toml::node& element : *node->as_array()) use(element);
+  }
+
+  void refuse_unknown_keys() const {
+    for (const auto& [key, node] : table_) {
+      const std::string name(key.str());
+      if (std::find(known_.begin(), known_.end(), name) == known_.end()) {
+        throw InputError(place_of(file_, key.source()) + ": " + title_ + " has no key '" + name + "'; it has " +
+                         joined(known_));
+      }
+    }
+  }
+
+ private:
+  std::string file_;
+  const toml::table& table_;
+  std::string title_;
+  std::string place_;
+  std::vector<std::string> known_;
+};
+
+Index index_of(const TableReader& reader, const toml::node& node, const std::string& key) {
+  const std::int64_t value = reader.integer_of(node, key, 3);
+  if (value >= std::int64_t{kNoIndex}) reader.fail(node, "'" + key + "' must be below 2^32 - 1");
+  return static_cast<Index>(value);
+}
+
+std::vector<Index> read_sizes(TableReader& reader) {
+  std::vector<Index> sizes;
+  reader.for_each_element("sizes", [&](const toml::node& node) { sizes.push_back(index_of(reader, node, "sizes")); });
+  return sizes;
+}
+
+std::vector<std::uint64_t> read_seeds(TableReader& reader) {
+  std::vector<std::uint64_t> seeds;
+  reader.for_each_element("seeds", [&](const toml::node& node) {
+    seeds.push_back(static_cast<std::uint64_t>(reader.integer_of(node, "seeds", 0)));
+  });
+  return seeds;
+}
+
+std::string parameter_text(const TableReader& reader, const toml::node& node, const std::string& name) {
+  if (node.is_string()) return node.ref<std::string>();
+  if (node.is_integer()) return std::to_string(node.ref<std::int64_t>());
+  if (node.is_floating_point()) return number_text(node.ref<double>());
+  reader.fail(node, "parameter '" + name + "' must be a number, text, or a list of these");
+}
+
+// All combinations of the parameters' values, the last named varying fastest.
+std::vector<ParameterValues> read_parameters(TableReader& reader) {
+  std::vector<ParameterValues> combinations(1);
+  const toml::node* node = reader.find("parameters");
+  if (node == nullptr) return combinations;
+  if (!node->is_table()) reader.fail(*node, "'parameters' must be a table { name = value }");
+  for (const auto& [key, value] : *node->as_table()) {
+    const std::string name(key.str());
+    std::vector<std::string> values;
+    if (const toml::array* list = value.as_array()) {
+      for (const toml::node& element : *list) values.push_back(parameter_text(reader, element, name));
+    } else {
+      values.push_back(parameter_text(reader, value, name));
+    }
+    std::vector<ParameterValues> longer;
+    for (const ParameterValues& combination : combinations) {
+      for (const std::string& text : values) {
+        longer.push_back(combination);
+        longer.back()[name] = text;
+      }
+    }
+    combinations = std::move(longer);
+  }
+  return combinations;
+}
+
+// The elements of a list of names or of tables with a name: "uniform" means { name = "uniform" }.
+void for_each_choice(TableReader& study, const std::string& key, const std::string& title,
+                     const std::function<void(TableReader&, const std::string& name)>& use) {
+  study.for_each_element(key, [&](const toml::node& node) {
+    const toml::table named = node.is_string() ? toml::table{{"name", node.ref<std::string>()}} : toml::table{};
+    if (!node.is_string() && !node.is_table()) study.fail(node, "'" + key + "' lists names or tables with a name");
+    TableReader choice(study.file(), node.is_table() ? *node.as_table() : named, title,
+                       place_of(study.file(), node.source()));
+    const std::string name = choice.text("name");
+    use(choice, name);
+    choice.refuse_unknown_keys();
+  });
+}
+
+void read_families(TableReader& reader, Study& study) {
+  for_each_choice(reader, "families", "a family", [&](TableReader& choice, const std::string& name) {
+    const std::vector<Index> sizes = read_sizes(choice);
+    const std::vector<std::uint64_t> seeds = read_seeds(choice);
+    for (const ParameterValues& parameters : read_parameters(choice)) {
+      study.families.push_back({name, parameters, sizes, seeds, choice.place()});
+    }
+  });
+}
+
+void read_algorithms(TableReader& reader, Study& study) {
+  for_each_choice(reader, "algorithms", "an algorithm", [&](TableReader& choice, const std::string& name) {
+    std::optional<Index> largest_n;
+    if (const toml::node* node = choice.find("largest_n")) largest_n = index_of(choice, *node, "largest_n");
+    for (const ParameterValues& parameters : read_parameters(choice)) {
+      study.algorithms.push_back({name, parameters, largest_n, choice.place()});
+    }
+  });
+}
+
+void read_limits(TableReader& reader, RunLimits& limits) {
+  reader.read_positive("time_s", limits.time_s);
+  reader.read_positive("grace_s", limits.grace_s);
+  reader.read_integer("memory_mb", 1, [&](std::int64_t mb) {
+    limits.memory_bytes = static_cast<std::uint64_t>(std::min(mb, std::int64_t{1} << 30)) << 20;
+  });
+}
+
+void read_optimum(TableReader& reader, Study& study) {
+  read_limits(reader, study.optimum_limits);
+  if (const toml::node* node = reader.find("seek")) {
+    if (!node->is_boolean()) reader.fail(*node, "'seek' must be true or false");
+    study.seeks_optimum = node->ref<bool>();
+  }
+  for_each_choice(reader, "sources", "an optimum source", [&](TableReader& choice, const std::string& name) {
+    std::optional<Index> largest_n;
+    if (const toml::node* node = choice.find("largest_n")) largest_n = index_of(choice, *node, "largest_n");
+    study.optimum_sources.push_back({name, largest_n, choice.place()});
+  });
+}
+
+void read_section(TableReader& reader, const std::string& key, const std::function<void(TableReader&)>& use) {
+  const toml::node* node = reader.find(key);
+  if (node == nullptr) return;
+  if (!node->is_table()) reader.fail(*node, "'" + key + "' must be a table");
+  TableReader section(reader.file(), *node->as_table(), "[" + key + "]");
+  use(section);
+  section.refuse_unknown_keys();
+}
+
+Study read_root(const std::string& path, const toml::table& root) {
+  Study study;
+  TableReader reader(path, root, "a study");
+  study.name = reader.text("name");
+  study.summary = reader.text("summary");
+  study.sizes = read_sizes(reader);
+  if (reader.find("seeds") != nullptr) study.seeds = read_seeds(reader);
+  reader.read_integer("repetitions", 1, [&](std::int64_t count) { study.repetitions = static_cast<int>(count); });
+  reader.read_integer("threads", 1, [&](std::int64_t count) { study.threads = static_cast<int>(count); });
+  reader.read_positive("min_time_s", study.min_time_s);
+  read_families(reader, study);
+  read_algorithms(reader, study);
+  read_section(reader, "limits", [&](TableReader& section) { read_limits(section, study.limits); });
+  study.optimum_limits = study.limits;
+  read_section(reader, "optimum", [&](TableReader& section) { read_optimum(section, study); });
+  reader.refuse_unknown_keys();
+  if (study.families.empty()) throw InputError(path + ": 'families' is missing; [\"*\"] means all");
+  if (study.algorithms.empty()) throw InputError(path + ": 'algorithms' is missing; [\"*\"] means all");
+  return study;
+}
+
+}  // namespace
+
+Study read_study(const std::string& path) {
+  const std::string content = read_file(path);
+  try {
+    const toml::table root = toml::parse(content);
+    Study study = read_root(path, root);
+    study.file_content = content;
+    return study;
+  } catch (const toml::parse_error& error) {
+    throw InputError(place_of(path, error.source()) + ": not valid TOML: " + one_line(error.description()));
+  }
+}
+
+}  // namespace mwt

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include "geometry/error.h"
+#include "harness/study/study.h"
+#include "harness/test_support.h"
+
+namespace mwt {
+namespace {
+
+const std::string kMinimal = "name = \"s\"\nsummary = \"t\"\nfamilies = [\"*\"]\nalgorithms = [\"*\"]\n";
+
+Study read(const std::string& text) {
+  const testing::TemporaryFolder folder;
+  testing::write_text(folder.path("s.toml"), text);
+  return read_study(folder.path("s.toml"));
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    return message.substr(message.find("s.toml"));
+  }
+  return "none";
+}
+
+TEST(StudyFile, DefaultsAreFilledIn) {
+  const Study study = read(kMinimal + "sizes = [10]\n");
+  EXPECT_EQ(study.seeds, std::vector<std::uint64_t>{1});
+  EXPECT_EQ(study.repetitions, 1);
+  EXPECT_TRUE(study.seeks_optimum);
+  EXPECT_EQ(study.families.front().name, "*");
+}
+
+TEST(StudyFile, EverythingCanBeSaid) {
+  const Study study = read(R"(
+name = "s"
+summary = "t"
+families = ["uniform", { name = "clustered", parameters = { clusters = [3, 10], sigma = 0.5 }, sizes = [100], seeds = [7] }]
+sizes = [10, 20]
+seeds = [1, 2]
+algorithms = [{ name = "tuned", parameters = { k = [1, 2], start = ["a", "b"] }, largest_n = 50 }]
+repetitions = 3
+threads = 2
+min_time_s = 0.5
+[limits]
+time_s = 7
+grace_s = 0.5
+memory_mb = 100
+[optimum]
+time_s = 9
+sources = ["x", { name = "y", largest_n = 12 }]
+)");
+  ASSERT_EQ(study.families.size(), 3u);
+  EXPECT_EQ(study.families[2].parameters.at("clusters"), "10");
+  EXPECT_EQ(study.families[2].parameters.at("sigma"), "0.5");
+  EXPECT_EQ(study.families[1].sizes, std::vector<Index>{100});
+  EXPECT_EQ(study.algorithms.size(), 4u);
+  EXPECT_EQ(study.algorithms.front().largest_n, 50u);
+  EXPECT_EQ(study.limits.memory_bytes, 100u << 20);
+  EXPECT_EQ(study.optimum_limits.time_s, 9);
+  EXPECT_EQ(study.optimum_limits.grace_s, 0.5);
+  ASSERT_EQ(study.optimum_sources.size(), 2u);
+  EXPECT_EQ(study.optimum_sources[1].largest_n, 12u);
+}
+
+TEST(StudyFile, MistakesNameLineAndKey) {
+  EXPECT_EQ(complaint("name = "),
+            "s.toml:1: not valid TOML: Error while parsing key-value pair: encountered end-of-file");
+  EXPECT_EQ(complaint("name = \"s\"\n"), "s.toml:1: a study needs the key 'summary'");
+  EXPECT_TRUE(complaint(kMinimal + "repetition = 3\n").starts_with("s.toml:5: a study has no key 'repetition'"));
+  EXPECT_EQ(complaint(kMinimal + "sizes = [10, \"x\"]\n"), "s.toml:5: 'sizes' must be a whole number of at least 3");
+  EXPECT_EQ(complaint(kMinimal + "sizes = [2]\n"), "s.toml:5: 'sizes' must be a whole number of at least 3");
+  EXPECT_EQ(complaint(kMinimal + "sizes = 10\n"), "s.toml:5: 'sizes' must be a list, not empty");
+  EXPECT_EQ(complaint(kMinimal + "min_time_s = -1\n"), "s.toml:5: 'min_time_s' must be a positive number");
+  EXPECT_EQ(complaint(kMinimal + "min_time_s = nan\n"), "s.toml:5: 'min_time_s' must be a positive number");
+  EXPECT_TRUE(complaint(kMinimal + "[limits]\ntimes = 1\n").starts_with("s.toml:6: [limits] has no key 'times'"));
+  EXPECT_EQ(complaint(kMinimal + "limits = 1\n"), "s.toml:5: 'limits' must be a table");
+  EXPECT_EQ(complaint("name = \"s\"\nsummary = \"t\"\nfamilies = [1]\nalgorithms = [\"*\"]\n"),
+            "s.toml:3: 'families' lists names or tables with a name");
+}
+
+TEST(FindStudy, KnowsTheProjectsStudiesAndTakesPaths) {
+  const std::vector<std::string> names = study_names();
+  EXPECT_NE(std::find(names.begin(), names.end(), "report"), names.end());
+  for (const std::string& name : names) EXPECT_EQ(read_study(find_study_file(name)).name, name);
+  EXPECT_EQ(find_study_file("some/where"), "some/where");
+  EXPECT_THROW(static_cast<void>(find_study_file("no_such_study")), InputError);
+}
+
+}  // namespace
+}  // namespace mwt

@@ -1,0 +1,80 @@
+#include "harness/study/worker.h"
+
+#include <exception>
+#include <new>
+
+#include "harness/quality.h"
+
+namespace mwt {
+
+namespace {
+
+void fail(RunRecord& record, RunStatus status, const std::string& message) {
+  record.status = status;
+  record.message = message;
+}
+
+void fill_in_measures(RunRecord& record, const Execution& execution, const Judgement& judgement) {
+  record.wall_time_s = execution.wall_time_s;
+  record.cpu_time_s = execution.cpu_time_s;
+  record.iterations = execution.iterations;
+  record.peak_rss_bytes = execution.peak_rss_bytes;
+  record.weight_lower = judgement.weight.lower;
+  record.weight_upper = judgement.weight.upper;
+  record.perimeter_sum = judgement.perimeter_sum.middle();
+  record.triangles = judgement.triangles;
+  record.edges = judgement.edges;
+  record.stopped_early = execution.solution.stopped_early;
+  record.triangulation_count = execution.solution.count.value_or("");
+  record.phases = named_numbers(execution.phases);
+  record.counters = named_numbers(execution.solution.counters);
+}
+
+void believe(RunRecord& record, const Execution& execution, const Judgement& judgement) {
+  record.status = RunStatus::ok;
+  fill_in_measures(record, execution, judgement);
+  const WitnessedOptimum optimum = witnessed_optimum(execution.solution.optimum, judgement.weight);
+  if (optimum.contradiction) {
+    fail(record, RunStatus::error, "the lower bound it certifies exceeds the weight of its own triangulation");
+  } else if (optimum.interval) {
+    record.optimum_lower = optimum.interval->lower;
+    record.optimum_upper = optimum.interval->upper;
+  }
+}
+
+}  // namespace
+
+RunRecord run_in_worker(const Request& request, const Instance& instance, RunRecord record, double min_time_s,
+                        double kill_after_s) {
+  try {
+    const Execution execution = execute_repeatedly(request, instance.set.points, min_time_s);
+    if (execution.wall_time_s > kill_after_s) {
+      fail(record, RunStatus::timeout, "ended after its limit and grace");
+      return record;
+    }
+    const Judgement judgement = judge(instance.set.points, execution.solution.triangulation);
+    record.checker = judgement.violation.value_or("ok");
+    if (judgement.violation) {
+      fail(record, RunStatus::invalid_output, *judgement.violation);
+    } else {
+      believe(record, execution, judgement);
+    }
+  } catch (const NotApplicable& reason) {
+    fail(record, RunStatus::not_applicable, reason.what());
+  } catch (const std::bad_alloc&) {
+    fail(record, RunStatus::out_of_memory, "an allocation failed under the memory limit");
+  } catch (const std::exception& failure) {
+    fail(record, RunStatus::error, failure.what());
+  }
+  return record;
+}
+
+std::string encode(const RunRecord& record) { return csv_line(to_row(run_columns(), record)); }
+
+std::optional<RunRecord> decode(const std::string& text) {
+  const std::vector<CsvRow> rows = parse_csv(text);
+  if (rows.size() != 1) return std::nullopt;
+  return from_row(run_columns(), rows.front());
+}
+
+}  // namespace mwt

@@ -1,0 +1,151 @@
+// For the harness's tests only: algorithms that behave in every way a study must survive, and a folder that goes away.
+#pragma once
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "generators/registry.h"
+#include "geometry/delaunay.h"
+#include "geometry/error.h"
+#include "geometry/weight.h"
+#include "harness/catalogue.h"
+
+namespace mwt::testing {
+
+/// A new folder, removed with everything in it when the test ends.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "mwt_test_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp");
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] std::string path(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline void write_text(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+inline std::string read_text(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+inline Solution solve_well(Points points, Context&) { return {.triangulation = delaunay_triangulation(points)}; }
+
+/// Right on points that have one triangulation only, as the family `fan` does.
+inline Solution solve_fan_exactly(Points points, Context&) {
+  Solution solution{.triangulation = delaunay_triangulation(points)};
+  solution.optimum = weight(points, solution.triangulation);
+  solution.count = "1";
+  return solution;
+}
+
+/// Certifies half of its triangulation's weight as a lower bound.
+inline Solution solve_with_weak_bound(Points points, Context&) {
+  Solution solution{.triangulation = delaunay_triangulation(points)};
+  const Interval own = weight(points, solution.triangulation);
+  solution.optimum = Interval{0.5 * own.lower, own.upper};
+  return solution;
+}
+
+inline Solution claim_too_much(Points points, Context&) {
+  Solution solution{.triangulation = delaunay_triangulation(points)};
+  const Interval own = weight(points, solution.triangulation);
+  solution.optimum = Interval{2 * own.upper, 2 * own.upper};
+  return solution;
+}
+
+inline Solution lose_a_triangle(Points points, Context&) {
+  Solution solution{.triangulation = delaunay_triangulation(points)};
+  solution.triangulation.triangles.pop_back();
+  return solution;
+}
+
+[[noreturn]] inline Solution crash(Points, Context&) {
+  std::signal(SIGSEGV, SIG_DFL);  // a sanitizer's handler would turn it into an exit
+  std::raise(SIGSEGV);
+  throw std::logic_error("not reached");
+}
+
+[[noreturn]] inline Solution leave(Points, Context&) {
+  std::fputs("giving up\n", stderr);
+  _exit(5);
+}
+
+inline Solution hang(Points, Context& context) {
+  while (context.seed != 0) usleep(1000);
+  return {};
+}
+
+inline Solution allocate_without_bound(Points, Context&) {
+  std::vector<std::vector<char>> blocks;
+  for (;;) blocks.emplace_back(std::size_t{1} << 24, 'x');
+}
+
+[[noreturn]] inline Solution fail(Points, Context&) { throw std::runtime_error("lost\nits way"); }
+
+[[noreturn]] inline Solution decline(Points, Context&) { throw NotApplicable("takes nothing"); }
+
+inline Solution chat(Points points, Context& context) {
+  std::puts("on standard output");
+  std::fputs("on standard error\n", stderr);
+  return solve_well(points, context);
+}
+
+inline AlgorithmInfo entry(const std::string& name, AlgorithmFunction function,
+                           Exactness exactness = Exactness::heuristic) {
+  AlgorithmInfo info;
+  info.name = name;
+  info.summary = "for tests";
+  info.exactness = exactness;
+  info.largest_n = 100000;
+  info.function = function;
+  return info;
+}
+
+/// All of the above, on the real families.
+inline Catalogue test_catalogue() {
+  static const std::vector<AlgorithmInfo> algorithms = [] {
+    std::vector<AlgorithmInfo> entries = {
+        entry("well", solve_well),
+        entry("weak_bound", solve_with_weak_bound, Exactness::exact),
+        entry("fan_exact", solve_fan_exactly, Exactness::exact),
+        entry("claims", claim_too_much),
+        entry("invalid", lose_a_triangle),
+        entry("crashes", crash),
+        entry("leaves", leave),
+        entry("hangs", hang),
+        entry("allocates", allocate_without_bound),
+        entry("throws", fail),
+        entry("declines", decline),
+        entry("chats", chat),
+        entry("small", solve_well),
+        entry("tuned", solve_well),
+    };
+    entries[12].largest_n = 5;
+    entries[13].parameters = {{"k", ParameterType::integer, "4", "a number"},
+                              {"start", ParameterType::text, "sweep", "where to begin", {"sweep", "greedy"}}};
+    return entries;
+  }();
+  return {algorithms, generators()};
+}
+
+}  // namespace mwt::testing

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Formatting, and the rule of the house: a floor includes only floors below it, and heavy headers stay behind their doors.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+floors=(geometry generators algorithms harness)
+mapfile -t sources < <(find "${floors[@]}" -name '*.h' -o -name '*.cpp' | sort)
+clang-format --dry-run --Werror "${sources[@]}"
+
+failed=no
+forbid() {  # forbid PATTERN WHY FILE...
+  local pattern=$1 why=$2
+  shift 2
+  if grep -nE "$pattern" "$@"; then
+    echo "style: $why" >&2
+    failed=yes
+  fi
+}
+code_of() { find "$1" \( -name '*.h' -o -name '*.cpp' \) ! -name '*_test.cpp'; }
+
+mapfile -t geometry < <(code_of geometry)
+mapfile -t generators < <(code_of generators)
+mapfile -t algorithms < <(code_of algorithms)
+mapfile -t headers < <(find "${floors[@]}" -name '*.h')
+forbid '#include "(generators|algorithms|harness)/' 'geometry is the lowest floor' "${geometry[@]}"
+forbid '#include "(algorithms|harness)/' 'generators know only geometry' "${generators[@]}"
+forbid '#include "(generators|harness)/' 'algorithms know only geometry' "${algorithms[@]}"
+forbid '#include <(CGAL|Eigen|CLI|nlohmann|toml|boost/math|benchmark|glpk)' 'heavy headers belong in few .cpp files' "${headers[@]}"
+[ "$failed" = no ]
