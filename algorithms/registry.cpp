@@ -15,6 +15,8 @@ namespace mwt {
 
 // Each algorithm's folder has a header that declares its entry: `AlgorithmInfo x_entry();`.
 std::span<const AlgorithmInfo> algorithms() {
+  // One line each, so that additions do not move others.
+  // clang-format off
   static const std::vector<AlgorithmInfo> entries = {
       delaunay_entry(),
       sweep_entry(),
@@ -26,6 +28,7 @@ std::span<const AlgorithmInfo> algorithms() {
       quadtree_entry(),
       exact_entry(),
   };
+  // clang-format on
   return entries;
 }
 
