@@ -7,9 +7,9 @@
 #include <numbers>
 #include <random>
 
+#include "algorithms/exact/exact.h"
 #include "algorithms/exact/naive_candidates.h"
 #include "geometry/checker.h"
-#include "geometry/delaunay.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -298,22 +298,23 @@ TEST(FaceSolver, WalksAroundLargeStars) {
   EXPECT_EQ(solution.faces, 0);
 }
 
-// A Delaunay triangulation of which a third of the edges may be replaced by the other diagonals of their
+// A minimum weight triangulation of which a third of the edges may be replaced by the other diagonals of their
 // quadrilaterals: many faces of all kinds, also with holes and isolated vertices.
-CandidateGraph loosened_delaunay(Points points, Random& random) {
-  const Triangulation delaunay = delaunay_triangulation(points);
-  const auto adjacent = adjacency_of(delaunay);
-  std::vector<Edge> edges = edges_of(delaunay);
+CandidateGraph loosened_optimum(Points points, Random& random) {
+  Context context;
+  const Triangulation optimum = exact(points, context).triangulation;
+  const auto adjacent = adjacency_of(optimum);
+  std::vector<Edge> edges = edges_of(optimum);
   std::set<Edge> certain(edges.begin(), edges.end());
-  for (Index t = 0; t < delaunay.triangles.size(); ++t) {
+  for (Index t = 0; t < optimum.triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index u = adjacent[t][i];
       if (u == kNoIndex || u < t || random() % 3 != 0) continue;
-      const Edge side = directed_edge(delaunay.triangles[t], static_cast<int>(i));
+      const Edge side = directed_edge(optimum.triangles[t], static_cast<int>(i));
       certain.erase(make_edge(side.a, side.b));
-      const Index apex = delaunay.triangles[t][i];
+      const Index apex = optimum.triangles[t][i];
       const auto place = std::find(adjacent[u].begin(), adjacent[u].end(), t) - adjacent[u].begin();
-      const Index other = delaunay.triangles[u][static_cast<std::size_t>(place)];
+      const Index other = optimum.triangles[u][static_cast<std::size_t>(place)];
       if (is_strictly_convex(points[apex], points[side.a], points[other], points[side.b])) {
         edges.push_back(make_edge(apex, other));
       }
@@ -325,7 +326,7 @@ CandidateGraph loosened_delaunay(Points points, Random& random) {
 TEST(FaceSolver, DoesNotDependOnThreads) {
   Random random(11);
   for (const auto& points : {uniform_points(9000, random), grid_points(12000, 120, random)}) {
-    const CandidateGraph graph = loosened_delaunay(points, random);
+    const CandidateGraph graph = loosened_optimum(points, random);
     const FaceSolution one = solve(graph, 1);
     expect_valid(points, one);
     EXPECT_TRUE(one.proved);
