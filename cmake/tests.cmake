@@ -20,7 +20,8 @@ mwt_add_tests(geometry mwt_geometry CGAL::CGAL)
 mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not know each other; only their tests meet.
 mwt_add_tests(algorithms mwt_algorithms mwt_generators)
-mwt_add_tests(harness mwt_harness)
+# Boost and JSON: to look at results with other eyes than the harness's own.
+mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json)
 # The harness's tests also run the program as its users do.
 if(TARGET harness_test)
   target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>")

@@ -14,11 +14,11 @@ namespace mwt {
 
 namespace {
 
-// Black, pale blue and vermilion of Okabe and Ito's palette for the colour-blind.
+// Black, pale blue and vermilion, after Okabe and Ito's palette for the colour-blind. The lines carry their colours as
+// attributes as well, for programs that know no style sheets.
 constexpr std::string_view kStyle =
     "<style>\n"
     ".background{fill:#ffffff}.line{fill:none;stroke-linecap:round;stroke-linejoin:round}\n"
-    ".edges,.hull{stroke:#222222}.underlay{stroke:#9ad0f5}.highlight{stroke:#d55e00}\n"
     ".points{fill:#000000}.labels{fill:#000000;stroke:#ffffff;paint-order:stroke;font-family:sans-serif}\n"
     "@media screen and (prefers-color-scheme:dark){.background{fill:#16181c}.edges,.hull{stroke:#d8d8d8}\n"
     ".underlay{stroke:#1f5f8b}.highlight{stroke:#ff9d4d}.points{fill:#ffffff}\n"
@@ -129,10 +129,10 @@ class SvgWriter {
 
   void write() {
     begin();
-    lines("underlay", picture_.underlay, 5 * sizes_.line);
-    lines("edges", picture_.edges, sizes_.line);
+    lines("underlay", "#9ad0f5", picture_.underlay, 5 * sizes_.line);
+    lines("edges", "#222222", picture_.edges, sizes_.line);
     outline();
-    lines("highlight", picture_.highlight, 1.8 * sizes_.line);
+    lines("highlight", "#d55e00", picture_.highlight, 1.8 * sizes_.line);
     dots();
     if (picture_.labels) labels();
     file_.append("</svg>\n");
@@ -150,9 +150,9 @@ class SvgWriter {
     file_.append("<rect class=\"background\" fill=\"#ffffff\" width=\"100%\" height=\"100%\"/>\n");
   }
 
-  void lines(std::string_view layer, std::span<const Edge> edges, double width_px) {
+  void lines(std::string_view layer, std::string_view colour, std::span<const Edge> edges, double width_px) {
     if (edges.empty()) return;
-    begin_path(layer, width_px);
+    begin_path(layer, colour, width_px);
     for (const Edge& edge : edges) {
       std::string segment = "M";
       append_position(segment, picture_.points[edge.a]);
@@ -165,7 +165,7 @@ class SvgWriter {
 
   void outline() {
     if (picture_.hull.empty()) return;
-    begin_path("hull", 1.4 * sizes_.line);
+    begin_path("hull", "#222222", 1.4 * sizes_.line);
     char command = 'M';
     for (const Index corner : picture_.hull) {
       std::string segment(1, std::exchange(command, 'L'));
@@ -175,9 +175,9 @@ class SvgWriter {
     file_.append("Z\"/>\n");
   }
 
-  void begin_path(std::string_view layer, double width_px) {
+  void begin_path(std::string_view layer, std::string_view colour, double width_px) {
     std::string start = "<path class=\"line ";
-    start.append(layer).append("\" stroke-width=\"");
+    start.append(layer).append("\" fill=\"none\" stroke=\"").append(colour).append("\" stroke-width=\"");
     append_fixed(start, width_px, 2);
     file_.append(start += "\" d=\"");
   }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <regex>
+#include <algorithm>
 
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
@@ -22,11 +22,18 @@ std::string drawn(const SvgPicture& picture) {
   return TestFolder::content(folder.path("p.svg"));
 }
 
+// The number between `before` and the next quotation mark; moves `at` there.
+double number_after(const std::string& svg, const std::string& before, std::size_t& at) {
+  const std::size_t start = svg.find(before, at) + before.size();
+  at = svg.find('"', start);
+  return parse_number(svg.substr(start, at - start)).value_or(-1);
+}
+
 std::vector<Point> dots_in(const std::string& svg) {
-  static const std::regex circle("<circle cx=\"([^\"]*)\" cy=\"([^\"]*)\"");
   std::vector<Point> dots;
-  for (auto match = std::sregex_iterator(svg.begin(), svg.end(), circle); match != std::sregex_iterator(); ++match) {
-    dots.push_back({parse_number((*match)[1].str()).value_or(-1), parse_number((*match)[2].str()).value_or(-1)});
+  for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at)) {
+    const double x = number_after(svg, "cx=\"", at);
+    dots.push_back({x, number_after(svg, "cy=\"", at)});
   }
   return dots;
 }

@@ -18,7 +18,8 @@ class LengthSum {
     ++terms_;
   }
 
-  /// Adds a sum made elsewhere (by another thread, say). The enclosure's proof does not depend on the order of additions.
+  /// Adds a sum made elsewhere (by another thread, say). The enclosure's proof does not depend on the order of
+  /// additions.
   void add(const LengthSum& other) {
     sum_ += other.sum_;
     terms_ += other.terms_;

@@ -1,6 +1,7 @@
 #include "harness/catalogue.h"
 
 #include "algorithms/registry.h"
+#include "generators/arguments.h"
 #include "generators/registry.h"
 #include "geometry/error.h"
 
@@ -28,6 +29,13 @@ const AlgorithmInfo& Catalogue::algorithm(const std::string& name) const {
 
 const GeneratorInfo& Catalogue::generator(const std::string& name) const {
   return find(generators_, "generator", name);
+}
+
+std::vector<Point> generate_points(const GeneratorInfo& family, Index n, std::uint64_t seed,
+                                   const Parameters& parameters) {
+  const Index largest = family.largest_n == 0 ? kMostPoints : family.largest_n;
+  require_size(family.name, n, family.smallest_n, largest);
+  return family.function(n, seed, parameters);
 }
 
 }  // namespace mwt

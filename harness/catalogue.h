@@ -30,4 +30,8 @@ class Catalogue {
   std::span<const GeneratorInfo> generators_;
 };
 
+/// Points of a family. Throws InputError naming the nearest legal n outside the family's range, and as its function.
+[[nodiscard]] std::vector<Point> generate_points(const GeneratorInfo& family, Index n, std::uint64_t seed,
+                                                 const Parameters& parameters);
+
 }  // namespace mwt

@@ -60,6 +60,20 @@ std::vector<CsvRow> parse_csv(std::string_view text) {
 CsvFile::CsvFile(std::string path, const CsvRow& header) : path_(std::move(path)) {
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) fail(path_, "cannot be written");
+  try {
+    open_content(header);
+  } catch (...) {
+    close(descriptor_);
+    throw;
+  }
+}
+
+CsvFile::~CsvFile() { close(descriptor_); }
+
+void CsvFile::open_content(const CsvRow& header) {
+  struct stat status {};
+  if (fstat(descriptor_, &status) != 0) fail(path_, "cannot be read");
+  if (!S_ISREG(status.st_mode)) throw InputError(path_ + ": records need a regular file");
   const std::string content = read_file(path_);
   if (content.find('\n') == std::string::npos) {
     if (ftruncate(descriptor_, 0) != 0) fail(path_, "cannot be written");
@@ -68,8 +82,6 @@ CsvFile::CsvFile(std::string path, const CsvRow& header) : path_(std::move(path)
     adopt_existing(content, header);
   }
 }
-
-CsvFile::~CsvFile() { close(descriptor_); }
 
 void CsvFile::adopt_existing(const std::string& content, const CsvRow& header) {
   const std::size_t whole_lines = content.rfind('\n') + 1;

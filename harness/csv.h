@@ -33,6 +33,7 @@ class CsvFile {
   [[nodiscard]] const std::vector<CsvRow>& existing_rows() const { return existing_rows_; }
 
  private:
+  void open_content(const CsvRow& header);
   void adopt_existing(const std::string& content, const CsvRow& header);
 
   std::string path_;

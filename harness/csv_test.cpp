@@ -1,6 +1,8 @@
 #include "harness/csv.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 
 #include "geometry/error.h"
 #include "harness/test_support.h"
@@ -57,9 +59,33 @@ TEST(CsvFile, RefusesOtherColumnsAndChangesNothing) {
   EXPECT_EQ(read_text(path), "a,c\n1,2\n");
 }
 
-TEST(CsvFile, AFullDiskIsAnInputError) {
+TEST(CsvFile, NeedsAFileItCanWrite) {
   EXPECT_THROW(CsvFile("/dev/full", kHeader), InputError);
   EXPECT_THROW(CsvFile("/no/such/folder/file.csv", kHeader), InputError);
+}
+
+// A limit on the file's size stands for a full disk: the write comes back short.
+TEST(CsvFile, ARowThatDoesNotFitIsTakenBack) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("file.csv");
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit size{12, 12};
+    setrlimit(RLIMIT_FSIZE, &size);
+    CsvFile file(path, kHeader);
+    file.append({"1", "2"});
+    try {
+      file.append({"too", "long"});
+    } catch (const InputError&) {
+      _exit(7);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_EQ(read_text(path), "a,b\n1,2\n");
 }
 
 }  // namespace

@@ -48,33 +48,39 @@ inline std::string read_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-inline Solution solve_well(Points points, Context&) { return {.triangulation = delaunay_triangulation(points)}; }
+inline Solution delaunay_solution(Points points) {
+  Solution solution;
+  solution.triangulation = delaunay_triangulation(points);
+  return solution;
+}
+
+inline Solution solve_well(Points points, Context&) { return delaunay_solution(points); }
 
 /// Right on points that have one triangulation only, as the family `fan` does.
 inline Solution solve_fan_exactly(Points points, Context&) {
-  Solution solution{.triangulation = delaunay_triangulation(points)};
+  Solution solution = delaunay_solution(points);
   solution.optimum = weight(points, solution.triangulation);
-  solution.count = "1";
+  solution.count.emplace("1");
   return solution;
 }
 
 /// Certifies half of its triangulation's weight as a lower bound.
 inline Solution solve_with_weak_bound(Points points, Context&) {
-  Solution solution{.triangulation = delaunay_triangulation(points)};
+  Solution solution = delaunay_solution(points);
   const Interval own = weight(points, solution.triangulation);
   solution.optimum = Interval{0.5 * own.lower, own.upper};
   return solution;
 }
 
 inline Solution claim_too_much(Points points, Context&) {
-  Solution solution{.triangulation = delaunay_triangulation(points)};
+  Solution solution = delaunay_solution(points);
   const Interval own = weight(points, solution.triangulation);
   solution.optimum = Interval{2 * own.upper, 2 * own.upper};
   return solution;
 }
 
 inline Solution lose_a_triangle(Points points, Context&) {
-  Solution solution{.triangulation = delaunay_triangulation(points)};
+  Solution solution = delaunay_solution(points);
   solution.triangulation.triangles.pop_back();
   return solution;
 }

@@ -2,11 +2,13 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cmath>
+#include <iterator>
 #include <mutex>
 
 #include "algorithms/exact/face_region.h"
@@ -99,7 +101,7 @@ class FaceSolver {
   std::size_t late_regions_ = 0;
 };
 
-// Face numbers, not their order of solution, decide where triangles go.
+// Every part has its place, whichever thread fills it.
 FaceSolution FaceSolver::solve() {
   FaceSolution solution;
   outer_face_ = walker_.owner_of_outer_face();
@@ -155,8 +157,7 @@ void FaceSolver::solve_walk(const Walk& walk, PolygonFaceSolver& solver, Part& p
   }
 }
 
-// Each walk once, in the order of their owners: the first of its halfedges in the list that its own walk does not find
-// smaller ones for.
+// Starts come in ascending order, so that a walk's first one is its owner; the others find it visited.
 std::vector<Walk> FaceSolver::collect_long_walks() const {
   std::vector<Walk> walks;
   std::vector<bool> is_visited;
@@ -272,7 +273,8 @@ void FaceSolver::assemble(FaceSolution& solution) {
 }  // namespace
 
 FaceSolution solve_faces(const CandidateGraph& graph, Context& context) {
-  tbb::task_arena arena(std::max(1, context.threads));
+  // More threads than cores would only wait for each other.
+  tbb::task_arena arena(std::clamp(context.threads, 1, tbb::info::default_concurrency()));
   return arena.execute([&] { return FaceSolver(graph, context).solve(); });
 }
 

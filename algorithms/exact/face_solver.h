@@ -17,19 +17,27 @@ struct FaceSolution {
   bool proved = false;              ///< every face solved and relative width of `optimum` at most 1e-12
 
   std::uint64_t faces = 0;                ///< that are no triangles
-  std::uint64_t largest_face = 0;         ///< edges on the longest face boundary
+  std::uint64_t largest_face = 0;         ///< edges on the longest boundary walk, both sides of slits counted
   std::uint64_t dp_cells = 0;             ///< intervals whose optimum was computed
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums of roots that doubles could not decide
   std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart
   std::uint64_t faces_with_holes = 0;     ///< solved by linear programming
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
-  std::uint64_t unsolved_faces = 0;  ///< cut short by the deadline; each contributes its own lower bound
+  std::uint64_t unsolved_faces = 0;  ///< cut short by a limit; each contributes its own lower bound
 };
 
-/// Faces of one boundary component: interval dynamic program over candidates. Faces with holes or isolated vertices:
-/// linear program with branching. Uses context.threads; the triangles and their order do not depend on it. Obeys
-/// context.deadline: faces left over are filled with a constrained Delaunay triangulation.
+/// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). Faces with holes or
+/// isolated vertices: linear program with branching (region_program.h).
+///
+/// Precondition: the graph's properties (1) to (4); where a violation shows, std::logic_error.
+/// Ties: equal triangulations of a face are told from different ones exactly, and of equal ones the same is kept
+/// always. Uses context.threads, but no more than there are cores; the triangles, their order and the bounds do not
+/// depend on it. Failure mode: polygons of more than 32 edges and faces with holes that context.deadline leaves over,
+/// and faces with holes of more than kMaximumProgramTriangles empty triangles, are filled with a constrained Delaunay
+/// triangulation and contribute a simple lower bound: the result is valid, `optimum` certified and wide, `proved`
+/// false. Time for faces of bounded size O(n), about a third of a Delaunay triangulation on two cores; an L-gon with
+/// all its diagonals takes O(L^3). Space O(n + candidates).
 [[nodiscard]] FaceSolution solve_faces(const CandidateGraph& graph, Context& context);
 
 }  // namespace mwt

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "algorithms/exact/exact.h"
 #include "algorithms/exact/naive_candidates.h"
 #include "geometry/checker.h"
 #include "geometry/weight.h"
@@ -169,6 +170,221 @@ void compare_with_sweep(std::size_t instances, std::size_t largest, std::uint64_
 TEST(FaceSolver, AgreesWithSweepOnSmallInstances) { compare_with_sweep(14, 10, 1); }
 
 TEST(FaceSolverSlow, AgreesWithSweepOnManyInstances) { compare_with_sweep(200, 13, 2); }
+
+const std::vector<Point> kSquareWithPoints{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {8, 7}, {12, 13}, {13, 6}};
+
+TEST(FaceSolver, TriangulatesAroundSlitsAsPolygon) {
+  const CandidateGraph graph = naive::graph_with_certain(kSquareWithPoints, {{0, 4}, {4, 6}, {4, 5}});
+  const FaceSolution solution = solve(graph);
+  expect_valid(kSquareWithPoints, solution);
+  EXPECT_TRUE(solution.proved);
+  EXPECT_EQ(solution.faces, 1);
+  EXPECT_EQ(solution.largest_face, 10) << "the square and both sides of three edges";
+  EXPECT_EQ(solution.faces_with_holes, 0);
+}
+
+TEST(FaceSolver, TriangulatesHolesOfAllKinds) {
+  const std::vector<std::set<Edge>> inner_edges = {
+      {}, {{4, 5}}, {{4, 5}, {5, 6}}, {{4, 5}, {4, 6}, {5, 6}}, {{0, 4}}, {{0, 4}, {5, 6}}};
+  const Interval optimum = naive::SweptOptimum(kSquareWithPoints).weight();
+  for (const auto& certain : inner_edges) {
+    const CandidateGraph graph = naive::graph_with_certain(kSquareWithPoints, certain);
+    const FaceSolution solution = solve(graph);
+    expect_valid(kSquareWithPoints, solution);
+    EXPECT_TRUE(solution.proved);
+    EXPECT_EQ(solution.faces, 1);
+    EXPECT_EQ(solution.faces_with_holes, 1);
+    EXPECT_GE(solution.programs, 1);
+    EXPECT_GE(solution.optimum.upper, optimum.lower);
+    for (const Edge& edge : certain) {
+      const auto edges = edges_of({static_cast<Index>(kSquareWithPoints.size()), solution.triangles});
+      EXPECT_TRUE(std::binary_search(edges.begin(), edges.end(), edge));
+    }
+  }
+}
+
+TEST(FaceSolver, SolvesWheels) {
+  Random random(3);
+  for (std::size_t spokes = 13; spokes <= 20; ++spokes) {
+    SCOPED_TRACE(spokes);
+    const std::vector<Point> points = wheel(spokes, spokes % 3 == 0 ? 1e-3 : 0, random);
+    const FaceSolution solution = solve(hull_only(points));
+    expect_valid(points, solution);
+    EXPECT_TRUE(solution.proved);
+    if (spokes <= 14) {
+      EXPECT_TRUE(overlap(solution.optimum, naive::SweptOptimum(points).weight()));
+    }
+  }
+}
+
+// All diagonals of a convex polygon.
+CandidateGraph complete_graph(const std::vector<Point>& convex) {
+  std::vector<Edge> edges;
+  for (Index a = 0; a < convex.size(); ++a) {
+    for (Index b = a + 1; b < convex.size(); ++b) edges.push_back({a, b});
+  }
+  return naive::make_graph(convex, edges, naive::hull_edges(convex));
+}
+
+// The classical interval program, in double-doubles, over points in convex position in order.
+Interval convex_optimum(const std::vector<Point>& points) {
+  const std::size_t n = points.size();
+  std::vector<std::vector<DoubleDouble>> best(n, std::vector<DoubleDouble>(n));
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      DoubleDouble least = j == i + 1 ? 0.0 : std::numeric_limits<double>::infinity();
+      for (std::size_t k = i + 1; k < j; ++k) {
+        const DoubleDouble sum = best[i][k] + best[k][j];
+        if (sum < least) least = sum;
+      }
+      best[i][j] = least + length(points[i], points[j]);
+    }
+  }
+  return enclose(best[0][n - 1], 4 * static_cast<double>(n) * kDoubleDoubleError);
+}
+
+std::vector<Point> regular_polygon(std::size_t n) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
+    points.push_back({std::cos(angle), std::sin(angle)});
+  }
+  return points;
+}
+
+// Points of x^2 + y^2 = (5 * 13 * 17)^2, 108 in all, counter-clockwise.
+std::vector<Point> integer_circle() {
+  std::vector<Point> points;
+  constexpr int kRadius = 5 * 13 * 17;
+  for (int x = -kRadius; x <= kRadius; ++x) {
+    const int y = static_cast<int>(std::lround(std::sqrt(static_cast<double>(kRadius * kRadius - x * x))));
+    if (x * x + y * y != kRadius * kRadius) continue;
+    points.push_back({static_cast<double>(x), static_cast<double>(y)});
+    if (y != 0) points.push_back({static_cast<double>(x), -static_cast<double>(y)});
+  }
+  std::sort(points.begin(), points.end(),
+            [](const Point& p, const Point& q) { return std::atan2(p.y, p.x) < std::atan2(q.y, q.x); });
+  return points;
+}
+
+TEST(FaceSolver, SolvesLargeConvexFaces) {
+  for (const auto& points : {regular_polygon(70), regular_polygon(101), integer_circle()}) {
+    const FaceSolution solution = solve(complete_graph(points));
+    expect_optimal(points, solution, convex_optimum(points));
+    EXPECT_EQ(solution.largest_face, points.size());
+    EXPECT_EQ(solution.faces_with_holes, 0);
+    EXPECT_GT(solution.precise_comparisons, 0);
+  }
+}
+
+TEST(FaceSolverSlow, SolvesAThousandCocircularPoints) {
+  const std::vector<Point> points = regular_polygon(1000);
+  expect_optimal(points, solve(complete_graph(points)), convex_optimum(points));
+}
+
+// An apex over a row: a star of many edges, all certain.
+TEST(FaceSolver, WalksAroundLargeStars) {
+  std::vector<Point> points{{0, 7}};
+  std::vector<Edge> edges;
+  constexpr Index kRow = 3000;
+  for (Index i = 1; i <= kRow; ++i) {
+    points.push_back({static_cast<double>(i), 0});
+    edges.push_back({0, i});
+    if (i > 1) edges.push_back({i - 1, i});
+  }
+  const FaceSolution solution = solve(naive::make_graph(points, edges, {edges.begin(), edges.end()}));
+  expect_valid(points, solution);
+  EXPECT_TRUE(solution.proved);
+  EXPECT_EQ(solution.faces, 0);
+}
+
+// A minimum weight triangulation of which a third of the edges may be replaced by the other diagonals of their
+// quadrilaterals: many faces of all kinds, also with holes and isolated vertices.
+CandidateGraph loosened_optimum(Points points, Random& random) {
+  Context context;
+  const Triangulation optimum = exact(points, context).triangulation;
+  const auto adjacent = adjacency_of(optimum);
+  std::vector<Edge> edges = edges_of(optimum);
+  std::set<Edge> certain(edges.begin(), edges.end());
+  for (Index t = 0; t < optimum.triangles.size(); ++t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index u = adjacent[t][i];
+      if (u == kNoIndex || u < t || random() % 3 != 0) continue;
+      const Edge side = directed_edge(optimum.triangles[t], static_cast<int>(i));
+      certain.erase(make_edge(side.a, side.b));
+      const Index apex = optimum.triangles[t][i];
+      const auto place = std::find(adjacent[u].begin(), adjacent[u].end(), t) - adjacent[u].begin();
+      const Index other = optimum.triangles[u][static_cast<std::size_t>(place)];
+      if (is_strictly_convex(points[apex], points[side.a], points[other], points[side.b])) {
+        edges.push_back(make_edge(apex, other));
+      }
+    }
+  }
+  return naive::make_graph(points, edges, certain);
+}
+
+TEST(FaceSolver, DoesNotDependOnThreads) {
+  Random random(11);
+  for (const auto& points : {uniform_points(9000, random), grid_points(12000, 120, random)}) {
+    const CandidateGraph graph = loosened_optimum(points, random);
+    const FaceSolution one = solve(graph, 1);
+    expect_valid(points, one);
+    EXPECT_TRUE(one.proved);
+    EXPECT_GT(one.faces_with_holes, 0);
+    for (const int threads : {2, 5}) {
+      const FaceSolution other = solve(graph, threads);
+      EXPECT_EQ(one.triangles, other.triangles);
+      EXPECT_EQ(one.optimum, other.optimum);
+      EXPECT_EQ(one.dp_cells, other.dp_cells);
+    }
+  }
+}
+
+FaceSolution solve_too_late(const CandidateGraph& graph) {
+  Context context;
+  context.deadline = Context::Clock::now() - std::chrono::seconds(1);
+  return solve_faces(graph, context);
+}
+
+TEST(FaceSolver, ReturnsATriangulationAndBoundsAtTheDeadline) {
+  Random random(4);
+  const std::vector<Point> circle = integer_circle();
+  const std::vector<Point> uniform = uniform_points(13, random);
+  const std::vector<Point> rows = row_points(14, random);
+  const std::vector<std::tuple<Points, CandidateGraph, Interval>> cases = {
+      {circle, complete_graph(circle), convex_optimum(circle)},
+      {uniform, hull_only(uniform), naive::SweptOptimum(uniform).weight()},
+      {rows, hull_only(rows), naive::SweptOptimum(rows).weight()}};
+  for (const auto& [points, graph, optimum] : cases) {
+    const FaceSolution solution = solve_too_late(graph);
+    expect_valid(points, solution);
+    EXPECT_FALSE(solution.proved);
+    EXPECT_EQ(solution.unsolved_faces, 1);
+    EXPECT_LE(solution.optimum.lower, optimum.upper);
+    EXPECT_GE(solution.optimum.upper, optimum.lower);
+    EXPECT_GT(solution.optimum.lower, 0);
+  }
+}
+
+TEST(FaceSolver, ReportsProgress) {
+  Random random(8);
+  const std::vector<Point> points = uniform_points(30, random);
+  Context context;
+  double last = 0;
+  context.progress = [&](const std::string&, double done) { last = done; };
+  const FaceSolution solution = solve_faces(locally_minimal(points), context);
+  EXPECT_TRUE(solution.proved);
+  EXPECT_EQ(last, 1);
+}
+
+TEST(FaceSolver, SaysWhenCandidatesContainNoTriangulation) {
+  const std::vector<Point> points{{0, 0}, {4, 0}, {6, 3}, {3, 6}, {-1, 3}};
+  auto edges = naive::possible_edges(points);
+  std::erase_if(edges, [&](const Edge& e) { return !naive::hull_edges(points).contains(e) && e != Edge{0, 2}; });
+  Context context;
+  EXPECT_THROW((void)solve_faces(naive::make_graph(points, edges, naive::hull_edges(points)), context),
+               std::logic_error);
+}
 
 }  // namespace
 }  // namespace mwt

@@ -12,7 +12,8 @@ namespace mwt {
 /// Sign of |e| - |f|, exact.
 [[nodiscard]] int compare_edge_lengths(Points points, const Edge& e, const Edge& f);
 
-/// Sign of (sum of the lengths of `a`) - (sum of the lengths of `b`), edges of the same points; consumes both lists.
+/// Sign of (sum of the lengths of `a`) - (sum of the lengths of `b`), edges between distinct points; consumes both
+/// lists.
 ///
 /// Exact: equal lengths cancel; what remains are roots of integers after scaling by a power of two. Roots of integers
 /// are linearly independent over the rationals unless the product of two of them is a perfect square (A. S.

@@ -148,9 +148,9 @@ class Deletion {
     edge_square_ = edge_x_ * edge_x_ + edge_y_ * edge_y_;
     collect_apexes(s, o, at_s);
     if (left_.count == 0 || right_.count == 0) return false;
-    remove_blocked(star, left_, 1.0F);
+    remove_blocked(star, stars_[o], left_, 1.0F);
     if (left_.count == 0) return false;
-    remove_blocked(star, right_, -1.0F);
+    remove_blocked(star, stars_[o], right_, -1.0F);
     if (right_.count == 0) return false;
     return find_pair(left, right);
   }
@@ -212,11 +212,16 @@ class Deletion {
     }
   }
 
-  // Drops the apexes whose triangle with the edge certainly has a neighbour of s inside. side: +1 left, -1 right.
-  HWY_INLINE void remove_blocked(const Star& star, Apexes& apexes, float side) {
+  // Drops the apexes whose triangle with the edge certainly has a neighbour of s or of o inside. side: +1 left, -1
+  // right.
+  HWY_INLINE void remove_blocked(const Star& star, const Star& other, Apexes& apexes, float side) {
     std::uint32_t kept = 0;
     for (std::uint32_t a = 0; a < apexes.count; ++a) {
-      if (is_blocked(star, apexes.x[a], apexes.y[a], side)) continue;
+      if (has_point_inside(star, {side * edge_x_, side * edge_y_}, {side * apexes.x[a], side * apexes.y[a]}, side))
+        continue;
+      const std::uint32_t at_o = position_of(other, star.target()[apexes.position[a]]);
+      const Vector seen_from_o{side * other.x()[at_o], side * other.y()[at_o]};
+      if (has_point_inside(other, seen_from_o, {-side * edge_x_, -side * edge_y_}, side)) continue;
       apexes.x[kept] = apexes.x[a];
       apexes.y[kept] = apexes.y[a];
       apexes.position[kept++] = apexes.position[a];
@@ -224,21 +229,27 @@ class Deletion {
     apexes.count = kept;
   }
 
-  HWY_INLINE bool is_blocked(const Star& star, float apex_x, float apex_y, float side) const {
-    const float area = side * (edge_x_ * apex_y - edge_y_ * apex_x);
-    const float reach = std::max(edge_square_, apex_x * apex_x + apex_y * apex_y);
-    const auto margin = hn::Set(kFloat, 4 * kRounding * reach);
-    const auto inner_area = hn::Set(kFloat, area - 4 * kRounding * reach);
-    const auto ex = hn::Set(kFloat, side * edge_x_), ey = hn::Set(kFloat, side * edge_y_);
-    const auto ax = hn::Set(kFloat, side * apex_x), ay = hn::Set(kFloat, side * apex_y);
-    const auto longest = hn::Set(kFloat, reach * 1.01F);
+  struct Vector {
+    float x, y;
+  };
+
+  // Whether a neighbour lies certainly inside the triangle spanned at the star's center by two vectors, the second to
+  // the left of the first; both are given times `side`.
+  HWY_INLINE bool has_point_inside(const Star& star, Vector first, Vector second, float side) const {
+    const float one = first.x * second.y, two = first.y * second.x;
+    const float area = side * (one - two) - kRounding * (std::abs(one) + std::abs(two));
+    const float rounding =
+        kRounding * (std::abs(first.x) + std::abs(first.y) + std::abs(second.x) + std::abs(second.y));
+    const auto fx = hn::Set(kFloat, first.x), fy = hn::Set(kFloat, first.y);
+    const auto sx = hn::Set(kFloat, second.x), sy = hn::Set(kFloat, second.y);
+    const auto error = hn::Set(kFloat, rounding), inner_area = hn::Set(kFloat, area);
     for (std::uint32_t i = 0; i < star.count; i += lanes()) {
       const auto x = hn::LoadU(kFloat, star.x() + i), y = hn::LoadU(kFloat, star.y() + i);
-      const auto above_edge = hn::Sub(hn::Mul(ex, y), hn::Mul(ey, x));
-      const auto below_side = hn::Sub(hn::Mul(x, ay), hn::Mul(y, ax));
-      auto inside = hn::And(hn::Gt(above_edge, margin), hn::Gt(below_side, margin));
-      inside = hn::And(inside, hn::Lt(hn::Add(above_edge, below_side), inner_area));
-      inside = hn::And(inside, hn::Lt(hn::MulAdd(x, x, hn::Mul(y, y)), longest));
+      const auto margin = hn::Mul(error, hn::Add(hn::Abs(x), hn::Abs(y)));
+      const auto left_of_first = hn::Sub(hn::Mul(fx, y), hn::Mul(fy, x));
+      const auto right_of_second = hn::Sub(hn::Mul(x, sy), hn::Mul(y, sx));
+      auto inside = hn::And(hn::Gt(left_of_first, margin), hn::Gt(right_of_second, margin));
+      inside = hn::And(inside, hn::Lt(hn::Add(hn::Add(left_of_first, right_of_second), margin), inner_area));
       inside = hn::And(inside, hn::RebindMask(kFloat, first_lanes(star.count - i)));
       if (!hn::AllFalse(kFloat, inside)) return true;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <vector>
@@ -74,6 +75,19 @@ inline CandidateGraph make_graph(Points points, const std::vector<Edge>& edges, 
     graph.first.push_back(static_cast<std::uint32_t>(graph.target.size()));
   }
   return graph;
+}
+
+/// The graph in which `certain` and the hull's edges are certain, and candidates all that do not cross them.
+inline CandidateGraph graph_with_certain(Points points, std::set<Edge> certain) {
+  certain.merge(hull_edges(points));
+  std::vector<Edge> edges;
+  for (const Edge& e : possible_edges(points)) {
+    const bool is_crossed = std::any_of(certain.begin(), certain.end(), [&](const Edge& f) {
+      return segments_cross(points[e.a], points[e.b], points[f.a], points[f.b]);
+    });
+    if (!is_crossed || certain.contains(e)) edges.push_back(e);
+  }
+  return make_graph(points, edges, certain);
 }
 
 /// The edges left when those without a certificate are deleted again and again: a certificate of an edge is a pair of

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <span>
 
+#include "algorithms/exact/consistent_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
@@ -84,8 +85,8 @@ void add_empty_triangles(const LocalRegion& local, Index a, std::vector<Triangle
   }
 }
 
-std::optional<std::vector<Triangle>> local_empty_triangles(const LocalRegion& local, std::size_t limit,
-                                                           const Deadline& deadline) {
+std::optional<std::vector<Triangle>> empty_triangles_of(const LocalRegion& local, std::size_t limit,
+                                                        const Deadline& deadline) {
   std::vector<Triangle> triangles;
   for (Index a = 0; a < local.vertices.size(); ++a) {
     add_empty_triangles(local, a, triangles);
@@ -112,14 +113,6 @@ Interval boundary_length(Points points, const FaceRegion& region) {
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> empty_candidate_triangles(Points points, const FaceRegion& region,
-                                                               std::size_t limit, const Deadline& deadline) {
-  const LocalRegion local = localise(points, region);
-  const auto triangles = local_empty_triangles(local, limit, deadline);
-  if (!triangles) return {};
-  return in_instance(local, *triangles);
-}
-
 RegionSolution leave_unsolved(Points points, const FaceRegion& region) {
   RegionSolution result;
   result.triangles = fill_region(points, region);
@@ -130,10 +123,11 @@ RegionSolution leave_unsolved(Points points, const FaceRegion& region) {
 
 RegionSolution solve_region(Points points, const FaceRegion& region, const Deadline& deadline) {
   const LocalRegion local = localise(points, region);
-  const auto triangles = local_empty_triangles(local, kMaximumProgramTriangles, deadline);
+  const auto triangles = empty_triangles_of(local, kMaximumProgramTriangles, deadline);
   if (!triangles) return leave_unsolved(points, region);
+  const std::vector<Triangle> consistent = consistent_triangles(local.points, *triangles, local.boundary);
   const TriangleCover cover =
-      lightest_triangle_cover({local.points, *triangles, local.boundary, region.triangle_count(), deadline});
+      lightest_triangle_cover({local.points, consistent, local.boundary, region.triangle_count(), deadline});
   RegionSolution result;
   result.triangles = cover.triangles.empty() ? fill_region(points, region) : in_instance(local, cover.triangles);
   result.diagonals = diagonals_length(points, region, result.triangles);

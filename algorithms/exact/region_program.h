@@ -20,12 +20,6 @@ struct RegionSolution {
   std::uint64_t branchings = 0;
 };
 
-/// The empty triangles whose sides are candidates or boundary edges of the region, counter-clockwise; nothing if they
-/// are more than `limit` or if the deadline passes. Sorted by their smallest corner, which comes first.
-[[nodiscard]] std::optional<std::vector<Triangle>> empty_candidate_triangles(
-    Points points, const FaceRegion& region, std::size_t limit,
-    const std::optional<std::chrono::steady_clock::time_point>& deadline);
-
 /// Regions of more empty triangles than this are filled, not solved: GLPK would neither hold nor finish them.
 inline constexpr std::size_t kMaximumProgramTriangles = 4'000'000;
 

@@ -18,7 +18,7 @@ struct HullInsertion {
   Triangulation triangulation;
   Index hull_size = 0;              ///< points on the hull's boundary
   std::size_t points_on_edges = 0;  ///< insertions that split two triangles
-  std::size_t depth = 0;            ///< regions that lie around the most deeply nested triangle
+  std::size_t depth = 0;            ///< the largest number of splits that led to one triangle
 };
 
 /// Triangulates the convex hull by triangulate_polygon() with the report's cost, the sum of perimeters, the cycle

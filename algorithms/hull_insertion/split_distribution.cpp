@@ -21,16 +21,17 @@ using WaitingList = std::vector<Waiting>;
 // A region's points may pass through this many regions below it before their number must have halved.
 constexpr int kPatience = 32;
 
-// How a region's number of points developed from the outermost region inwards.
+// What happened on the way from the outermost region to one inside it.
 struct Progress {
-  std::size_t depth = 0;
   std::size_t halving_from = 0;  // points of the region around it since which they have not halved
   int levels = 0;                // regions since then
+  std::size_t splits = 0;        // triangles split on the way
 
   [[nodiscard]] Progress inwards(std::size_t count) const {
-    if (2 * count <= halving_from) return {depth + 1, count, 0};
-    return {depth + 1, halving_from, levels + 1};
+    if (2 * count <= halving_from) return {count, 0, splits};
+    return {halving_from, levels + 1, splits};
   }
+  [[nodiscard]] Progress after_split() const { return {halving_from, levels, splits + 1}; }
 };
 
 class Distribution {
@@ -41,9 +42,9 @@ class Distribution {
   void cut_polygon(std::span<const Index> chain, std::span<const Triangle> triangles, WaitingList waiting,
                    const Progress& progress) {
     if (waiting.empty()) {
-      append(triangles, progress.depth);
+      append(triangles, progress.splits);
     } else if (progress.levels > kPatience) {
-      insert_by_search(SplitHistory(points_, chain, triangles, waiting.size()), waiting, progress.depth);
+      insert_by_search(SplitHistory(points_, chain, triangles, waiting.size()), waiting, progress.splits);
     } else {
       deal_to_parts(chain, triangles, std::move(waiting), progress);
     }
@@ -52,9 +53,9 @@ class Distribution {
   SplitTriangles take() { return std::move(result_); }
 
  private:
-  void append(std::span<const Triangle> triangles, std::size_t depth) {
+  void append(std::span<const Triangle> triangles, std::size_t splits) {
     result_.triangles.insert(result_.triangles.end(), triangles.begin(), triangles.end());
-    result_.depth = std::max(result_.depth, depth);
+    result_.depth = std::max(result_.depth, splits);
   }
 
   void deal_to_parts(std::span<const Index> chain, std::span<const Triangle> triangles, WaitingList waiting,
@@ -83,9 +84,9 @@ class Distribution {
 
   void split_triangle(const Triangle& triangle, WaitingList waiting, const Progress& progress) {
     if (waiting.empty()) {
-      append(std::span(&triangle, 1), progress.depth);
+      append(std::span(&triangle, 1), progress.splits);
     } else if (progress.levels > kPatience) {
-      insert_by_search(SplitHistory(points_, triangle, waiting.size()), waiting, progress.depth);
+      insert_by_search(SplitHistory(points_, triangle, waiting.size()), waiting, progress.splits);
     } else {
       deal_to_triangles(triangle, std::move(waiting), progress);
     }
@@ -106,7 +107,7 @@ class Distribution {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index from = triangle[i], to = triangle[(i + 1) % 3];
       const bool is_flat = orientation(points_[from], points_[to], p.at) == 0;
-      const Progress inwards = progress.inwards(dealt[i].size());
+      const Progress inwards = progress.inwards(dealt[i].size()).after_split();
       if (is_flat) {
         ++result_.edge_splits;
       } else {
@@ -115,9 +116,9 @@ class Distribution {
     }
   }
 
-  void insert_by_search(SplitHistory history, const WaitingList& waiting, std::size_t depth) {
+  void insert_by_search(SplitHistory history, const WaitingList& waiting, std::size_t splits) {
     for (const Waiting& point : waiting) history.insert(point.index);
-    append(history.triangles(), depth + history.depth());
+    append(history.triangles(), splits + history.depth());
     result_.edge_splits += history.edge_splits();
   }
 
@@ -133,7 +134,7 @@ SplitTriangles insert_by_splitting(Points points, std::span<const Index> polygon
   waiting.reserve(interior.size());
   for (const Index p : interior) waiting.push_back({points[p], p});
   Distribution distribution(points);
-  distribution.cut_polygon(polygon, triangles, std::move(waiting), {0, interior.size(), 0});
+  distribution.cut_polygon(polygon, triangles, std::move(waiting), {interior.size(), 0, 0});
   return distribution.take();
 }
 

@@ -12,7 +12,7 @@ namespace mwt {
 struct SplitTriangles {
   std::vector<Triangle> triangles;
   std::size_t edge_splits = 0;  ///< triangles split by a point on one of their sides: two per such point
-  std::size_t depth = 0;        ///< the largest number of regions around a triangle, itself included
+  std::size_t depth = 0;        ///< the largest number of splits that led to one triangle
 };
 
 /// What inserting `interior`, in this order, makes of the list `triangles`: the triangle (a, b, c) that holds p is

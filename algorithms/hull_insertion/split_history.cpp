@@ -123,14 +123,15 @@ std::vector<Triangle> SplitHistory::triangles() const {
   return list;
 }
 
-Index SplitHistory::depth() const {
-  std::vector<Index> depths(regions_.size(), 0);
+std::size_t SplitHistory::depth() const {
+  std::vector<Index> splits(regions_.size(), 0);
   for (std::size_t region = 0; region < regions_.size(); ++region) {  // parents come before their children
+    const Index own = is_polygon_part(regions_[region].corners) ? 0 : 1;
     for (Index i = 0; i < regions_[region].child_count; ++i) {
-      depths[regions_[region].first_child + i] = depths[region] + 1;
+      splits[regions_[region].first_child + i] = splits[region] + own;
     }
   }
-  return *std::max_element(depths.begin(), depths.end());
+  return *std::max_element(splits.begin(), splits.end());
 }
 
 }  // namespace mwt

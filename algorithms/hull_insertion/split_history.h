@@ -38,8 +38,8 @@ class SplitHistory {
   /// Triangles so far that were split by a point on one of their sides.
   [[nodiscard]] std::size_t edge_splits() const { return edge_splits_; }
 
-  /// The largest number of regions around a triangle, itself included and the one at the start not. O(n).
-  [[nodiscard]] Index depth() const;
+  /// The largest number of splits that led to one triangle. O(n).
+  [[nodiscard]] std::size_t depth() const;
 
  private:
   struct Region {

@@ -72,7 +72,7 @@ PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell) {
   PreparedCell prepared;
   try {
     const Parameters of_family(cell.family->name, cell.family->parameters, {});
-    prepared.instance = make_instance(cell.family->function(cell.n, 1, of_family), cell.family->name);
+    prepared.instance = make_instance(generate_points(*cell.family, cell.n, 1, of_family), cell.family->name);
     prepared.request.algorithm = cell.algorithm;
     prepared.request.parameters = Parameters(cell.algorithm->name, cell.algorithm->parameters, {});
     verify(catalogue, prepared);

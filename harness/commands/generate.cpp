@@ -18,9 +18,8 @@ struct Options {
 };
 
 Index number_of_points(const GeneratorInfo& family, const std::optional<Index>& n) {
-  if (n) return *n;
-  if (family.fixed_n == 0) throw InputError(family.name + " comes in many sizes; give --n");
-  return family.fixed_n;
+  if (!n && family.fixed_n == 0) throw InputError(family.name + " comes in many sizes; give --n");
+  return n.value_or(family.fixed_n);
 }
 
 int generate_points(const Options& options) {
@@ -28,7 +27,7 @@ int generate_points(const Options& options) {
   const GeneratorInfo& family = catalogue.generator(options.family);
   const Parameters parameters(family.name, family.parameters, parse_parameters(options.parameters));
   const Index n = number_of_points(family, options.n);
-  write_points(options.output, family.function(n, options.seed, parameters));
+  write_points(options.output, generate_points(family, n, options.seed, parameters));
   return kExitOk;
 }
 

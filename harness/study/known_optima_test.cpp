@@ -7,7 +7,7 @@ namespace {
 
 RunRecord run_of_weight(double lower, double upper) {
   RunRecord record;
-  record.instance_id = "i";
+  record.instance_id = "instance";
   record.status = RunStatus::ok;
   record.weight_lower = lower;
   record.weight_upper = upper;
@@ -26,7 +26,7 @@ TEST(KnownOptima, WithoutABoundThereIsNoAlpha) {
 
 TEST(KnownOptima, RatesAgainstWhatIsKnown) {
   KnownOptima known;
-  EXPECT_TRUE(known.add("i", {8, 8}));
+  EXPECT_TRUE(known.add("instance", {8, 8}));
   RunRecord record = run_of_weight(10, 10);
   EXPECT_TRUE(known.rate(record));
   EXPECT_EQ(record.alpha_lower, 1.25);
@@ -37,11 +37,11 @@ TEST(KnownOptima, RatesAgainstWhatIsKnown) {
 
 TEST(KnownOptima, ALighterTriangulationImprovesAnUpperBound) {
   KnownOptima known;
-  EXPECT_TRUE(known.add("i", {5, 12}));
+  EXPECT_TRUE(known.add("instance", {5, 12}));
   RunRecord record = run_of_weight(10, 10);
   EXPECT_TRUE(known.rate(record));
   EXPECT_EQ(record.optimum_upper, 10);
-  EXPECT_EQ(known.of("i")->upper, 10);
+  EXPECT_EQ(known.of("instance")->upper, 10);
   RunRecord heavier = run_of_weight(11, 11);
   EXPECT_TRUE(known.rate(heavier));
   EXPECT_EQ(heavier.optimum_upper, 10);
@@ -61,31 +61,31 @@ TEST(KnownOptima, WhatARunCertifiesServesLaterRuns) {
 
 TEST(KnownOptima, ATriangulationLighterThanTheOptimumIsAContradiction) {
   KnownOptima known;
-  EXPECT_TRUE(known.add("i", {10, 10}));
+  EXPECT_TRUE(known.add("instance", {10, 10}));
   RunRecord record = run_of_weight(9, 9);
   EXPECT_FALSE(known.rate(record));
   EXPECT_EQ(record.status, RunStatus::error);
   EXPECT_TRUE(record.message.starts_with("CONTRADICTION"));
   EXPECT_FALSE(record.alpha_upper);
-  EXPECT_EQ(*known.of("i"), (Interval{10, 10}));
+  EXPECT_EQ(*known.of("instance"), (Interval{10, 10}));
 }
 
 TEST(KnownOptima, TwoOptimaThatExcludeEachOtherAreAContradiction) {
   KnownOptima known;
-  EXPECT_TRUE(known.add("i", {10, 10}));
+  EXPECT_TRUE(known.add("instance", {10, 10}));
   RunRecord record = run_of_weight(11, 11);
   record.optimum_lower = 11;
   record.optimum_upper = 11;
   EXPECT_FALSE(known.rate(record));
   EXPECT_EQ(record.status, RunStatus::error);
-  EXPECT_FALSE(known.add("i", {11, 12}));
+  EXPECT_FALSE(known.add("instance", {11, 12}));
 }
 
 TEST(KnownOptima, FailedRunsStayAsTheyAre) {
   KnownOptima known;
-  EXPECT_TRUE(known.add("i", {10, 10}));
+  EXPECT_TRUE(known.add("instance", {10, 10}));
   RunRecord record;
-  record.instance_id = "i";
+  record.instance_id = "instance";
   record.status = RunStatus::timeout;
   EXPECT_TRUE(known.rate(record));
   EXPECT_EQ(record.optimality, "");

@@ -46,13 +46,11 @@ std::vector<Choice> without_wildcard(const std::vector<Choice>& choices, std::sp
 // The nearest n of which the family has an instance, the smaller one of two; 0 if there is none near.
 Index nearest_legal_n(const PlannedInstance& wanted, std::string& complaint) {
   const Index reach = std::max<Index>(5, wanted.n / 8);
-  const Index largest = wanted.family->largest_n == 0 ? kNoIndex : wanted.family->largest_n;
   for (Index distance = 0; distance <= reach; ++distance) {
     for (const std::int64_t n : {std::int64_t{wanted.n} - distance, std::int64_t{wanted.n} + distance}) {
-      const bool in_range = n >= wanted.family->smallest_n && n <= largest;
-      if (!in_range) continue;
+      if (n < 1) continue;
       try {
-        const auto points = wanted.family->function(static_cast<Index>(n), wanted.seed, wanted.parameters);
+        const auto points = generate_points(*wanted.family, static_cast<Index>(n), wanted.seed, wanted.parameters);
         static_cast<void>(make_point_set(points, wanted.family->name));
         return static_cast<Index>(n);
       } catch (const InputError& error) {

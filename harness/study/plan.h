@@ -17,7 +17,7 @@ struct PlannedInstance {
 
   /// "uniform n=100 seed=1", for messages.
   [[nodiscard]] std::string label() const;
-  [[nodiscard]] std::vector<Point> generate() const { return family->function(n, seed, parameters); }
+  [[nodiscard]] std::vector<Point> generate() const { return generate_points(*family, n, seed, parameters); }
 };
 
 struct PlannedRun {

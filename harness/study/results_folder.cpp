@@ -30,13 +30,17 @@ std::vector<Record> records_of(const std::vector<CsvRow>& rows, const std::vecto
   return records;
 }
 
-void make_folder(const fs::path& folder, bool resume) {
+void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
-    throw InputError(folder.string() + ": cannot make this folder: " + error.message() + "; choose another with --out");
-  }
-  if (!resume && !fs::is_empty(folder, error)) {
+  if (!error && fs::is_directory(folder, error)) return;
+  throw InputError(folder.string() + ": cannot make this folder: " +
+                   (error ? error.message() : "a file is in its place") + "; choose another with --out");
+}
+
+void require_empty(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_empty(folder, error)) {
     throw InputError(folder.string() +
                      ": has results already; continue them with --resume or choose another with --out");
   }
@@ -53,10 +57,22 @@ void keep_study_file(const fs::path& folder, const Study& study) {
 
 }  // namespace
 
-ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool resume) {
+// The lock is on the folder itself: it leaves no file and ends with the process, however that ends.
+FolderLock::FolderLock(const std::string& folder) {
+  make_folder(folder);
+  descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ < 0) throw InputError(folder + ": " + std::strerror(errno));
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    close(descriptor_);
+    throw InputError(folder + ": another mwt run is writing here; wait for it or choose another folder with --out");
+  }
+}
+
+FolderLock::~FolderLock() { close(descriptor_); }
+
+ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool resume) : lock_(path) {
   const fs::path folder(path);
-  make_folder(folder, resume);
-  lock(path);
+  if (!resume) require_empty(folder);
   keep_study_file(folder, study);
   const auto open_file = [&](const char* name, const CsvRow& header) {
     return std::make_unique<CsvFile>((folder / name).string(), header);
@@ -66,20 +82,6 @@ ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool r
   environment_file_ = open_file("environments.csv", header_of(environment_columns()));
   runs_ = records_of(run_file_->existing_rows(), run_columns(), (folder / "runs.csv").string());
   instances_ = records_of(instance_file_->existing_rows(), instance_columns(), (folder / "instances.csv").string());
-}
-
-ResultsFolder::~ResultsFolder() {
-  if (lock_ >= 0) close(lock_);
-}
-
-// The lock is on the folder itself: it leaves no file and ends with the process, however that ends.
-void ResultsFolder::lock(const std::string& path) {
-  lock_ = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0) throw InputError(path + ": " + std::strerror(errno));
-  if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-    close(lock_);
-    throw InputError(path + ": another mwt run is writing here; wait for it or choose another folder with --out");
-  }
 }
 
 void ResultsFolder::append(const RunRecord& record) {

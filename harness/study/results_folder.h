@@ -10,6 +10,19 @@
 
 namespace mwt {
 
+/// While one lives, no other process gets one on the same folder.
+class FolderLock {
+ public:
+  /// Makes the folder if it is missing. Throws InputError: it cannot be made, or another process holds its lock.
+  explicit FolderLock(const std::string& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int descriptor_ = -1;
+};
+
 /// Holds runs.csv, instances.csv, environments.csv and study.toml (a copy of the study file), and a lock: a second
 /// `mwt run` on the same folder is refused while this object lives.
 ///
@@ -18,7 +31,6 @@ namespace mwt {
 class ResultsFolder {
  public:
   ResultsFolder(const std::string& path, const Study& study, bool resume);
-  ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
 
@@ -31,9 +43,7 @@ class ResultsFolder {
   [[nodiscard]] const std::vector<InstanceRecord>& instances() const { return instances_; }
 
  private:
-  void lock(const std::string& path);
-
-  int lock_ = -1;
+  FolderLock lock_;
   std::unique_ptr<CsvFile> run_file_;
   std::unique_ptr<CsvFile> instance_file_;
   std::unique_ptr<CsvFile> environment_file_;

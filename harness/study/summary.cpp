@@ -1,10 +1,10 @@
 #include "harness/study/summary.h"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 #include "harness/aligned_table.h"
 #include "harness/text.h"
@@ -56,7 +56,10 @@ class Labels {
       configurations_[run.algorithm].insert(run.params);
       families_[run.generator].insert(run.generator_params);
     }
-    for (const RunRecord& run : runs) position_.try_emplace(algorithm_of(run), position_.size());
+    for (const RunRecord& run : runs) {
+      algorithm_position_.try_emplace(algorithm_of(run), algorithm_position_.size());
+      family_position_.try_emplace(family_of(run), family_position_.size());
+    }
   }
 
   [[nodiscard]] std::string algorithm_of(const RunRecord& run) const {
@@ -65,7 +68,10 @@ class Labels {
   [[nodiscard]] std::string family_of(const RunRecord& run) const {
     return families_.at(run.generator).size() == 1 ? run.generator : of(run.generator, run.generator_params);
   }
-  [[nodiscard]] std::size_t position_of(const RunRecord& run) const { return position_.at(algorithm_of(run)); }
+  [[nodiscard]] std::size_t algorithm_position(const RunRecord& run) const {
+    return algorithm_position_.at(algorithm_of(run));
+  }
+  [[nodiscard]] std::size_t family_position(const RunRecord& run) const { return family_position_.at(family_of(run)); }
 
  private:
   static std::string of(const std::string& name, const std::string& parameters) {
@@ -74,12 +80,13 @@ class Labels {
 
   std::map<std::string, std::set<std::string>> configurations_;
   std::map<std::string, std::set<std::string>> families_;
-  std::map<std::string, std::size_t> position_;
+  std::map<std::string, std::size_t> algorithm_position_;
+  std::map<std::string, std::size_t> family_position_;
 };
 
 std::string table_by_algorithm(const std::vector<RunRecord>& runs, const Labels& labels) {
   std::map<std::pair<std::size_t, std::string>, Tally> tallies;
-  for (const RunRecord& run : runs) tallies[{labels.position_of(run), labels.algorithm_of(run)}].add(run);
+  for (const RunRecord& run : runs) tallies[{labels.algorithm_position(run), labels.algorithm_of(run)}].add(run);
   AlignedTable table(
       {"algorithm", "runs", "failures", "not applicable", "rated", "alpha mean", "alpha max", "optimal"});
   for (const auto& [key, tally] : tallies) {
@@ -90,16 +97,29 @@ std::string table_by_algorithm(const std::vector<RunRecord>& runs, const Labels&
   return table.text();
 }
 
+// A line of the table by cell, in the order of first appearance.
+struct CellKey {
+  std::size_t family_position;
+  std::size_t algorithm_position;
+  Index n;
+  std::string family;
+  std::string algorithm;
+
+  friend auto operator<=>(const CellKey&, const CellKey&) = default;
+};
+
 std::string table_by_cell(const std::vector<RunRecord>& runs, const Labels& labels) {
-  std::map<std::tuple<std::string, std::size_t, std::string, Index>, Tally> tallies;
+  std::map<CellKey, Tally> tallies;
   for (const RunRecord& run : runs) {
-    tallies[{labels.family_of(run), labels.position_of(run), labels.algorithm_of(run), run.n}].add(run);
+    tallies[{labels.family_position(run), labels.algorithm_position(run), run.n, labels.family_of(run),
+             labels.algorithm_of(run)}]
+        .add(run);
   }
   AlignedTable table(
       {"family", "algorithm", "n", "runs", "failures", "median time", "alpha mean", "alpha max", "optimal"}, {1});
   for (const auto& [key, tally] : tallies) {
     if (tally.runs == 0) continue;
-    table.add_row({std::get<0>(key), std::get<2>(key), std::to_string(std::get<3>(key)), std::to_string(tally.runs),
+    table.add_row({key.family, key.algorithm, std::to_string(key.n), std::to_string(tally.runs),
                    std::to_string(tally.failures), tally.times.empty() ? "-" : readable_duration(median(tally.times)),
                    tally.alpha_mean(), tally.alpha_max(), tally.optimal_share()});
   }

@@ -1,0 +1,27 @@
+#include "algorithms/greedy/certified_edges.h"
+
+#include "algorithms/mesh/angle.h"
+
+namespace mwt {
+
+namespace {
+
+// Each angle errs by less than 1e-15 of its size, sums of three by less than 1e-14.
+bool surely_below_half_turn(const Angle& sum, double magnitude) { return sum.imaginary > 1e-12 * magnitude; }
+
+}  // namespace
+
+bool is_certainly_greedy(const PlanarMesh& mesh, MeshEdge e) {
+  const Point& a = mesh.point(mesh.origin(2 * e));
+  const Point& b = mesh.point(mesh.target(2 * e));
+  const Angle left = angle_at(mesh.point(mesh.apex(2 * e)), a, b);
+  const Angle right = angle_at(mesh.point(mesh.apex(2 * e + 1)), b, a);
+  if (!(left.real > 0 && right.real > 0)) return false;  // acute: sums of three stay below a full turn
+  const double both = size(left) * size(right);
+  const bool in_range = both > 1e-90 && both < 1e90;  // far from underflow and overflow
+  const Angle sum = left * right;
+  return in_range && surely_below_half_turn(sum * left, both * size(left)) &&
+         surely_below_half_turn(sum * right, both * size(right));
+}
+
+}  // namespace mwt

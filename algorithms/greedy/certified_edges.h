@@ -1,0 +1,16 @@
+// Delaunay edges that belong to the greedy triangulation whatever the other points do.
+#pragma once
+
+#include "algorithms/mesh/planar_mesh.h"
+
+namespace mwt {
+
+/// Whether the angles g and d opposite edge e in its two triangles certainly satisfy 2 max(g, d) + min(g, d) < 180
+/// degrees. In the Delaunay triangulation such an edge is shorter than every segment between two points that crosses
+/// it (lemma 2 in README.md), hence greedy under any tie rule.
+///
+/// Rounded towards no: floating point with a margin of 1e-12, a thousand times its error; extreme coordinates, where
+/// products of six differences leave the range of doubles, get no. Precondition: e is not a hull edge.
+[[nodiscard]] bool is_certainly_greedy(const PlanarMesh& mesh, MeshEdge e);
+
+}  // namespace mwt

@@ -1,0 +1,34 @@
+// The greedy triangulation at the cost of two Delaunay triangulations.
+#pragma once
+
+#include "algorithms/algorithm.h"
+#include "algorithms/mesh/planar_mesh.h"
+
+namespace mwt {
+
+/// What the greedy algorithm did.
+struct GreedyCounters {
+  std::size_t ears = 0;   ///< edges that had to be inserted: those of greedy that were in no triangulation on the way
+  std::size_t flips = 0;  ///< flips to insert them and to restore the Delaunay property
+  bool stopped_early = false;
+};
+
+/// The greedy triangulation of `points`: edges in order of exact squared length, then smaller index, then larger index;
+/// each is taken unless it crosses a taken one or passes through a point. Edge for edge what the naive algorithm
+/// yields, for arbitrary doubles.
+///
+/// From the Delaunay triangulation by keeping a constrained Delaunay triangulation of the edges taken so far; the lemma
+/// that makes this right, and its proof, are in README.md.
+/// Preconditions: distinct points, not all collinear, fewer than 2^28.
+/// Time O(n log n) on all families that the laboratory generates; an adversary can make edge insertions cost more.
+/// At most 200 bytes per point. Deterministic.
+[[nodiscard]] Triangulation greedy_triangulation(Points points);
+
+/// Turns a mesh that is the Delaunay triangulation of `points` into their greedy triangulation. At the deadline of
+/// `context` it stops with a valid triangulation that is greedy up to some length and constrained Delaunay beyond.
+/// Other marks on edges survive where the edge does.
+GreedyCounters make_greedy(PlanarMesh& mesh, Points points, const Context& context);
+
+[[nodiscard]] AlgorithmInfo greedy_entry();
+
+}  // namespace mwt

@@ -1,0 +1,34 @@
+// From triangles to a planar mesh: renumbers points and edges for locality and links the halfedges.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/mesh/delaunay_triangles.h"
+#include "algorithms/mesh/planar_mesh.h"
+
+namespace mwt {
+
+/// Builds one PlanarMesh; a helper of that class. Invariant of the result: the outer face lies left of side 1 of every
+/// hull edge.
+class MeshBuilder {
+ public:
+  explicit MeshBuilder(Points points);
+
+  [[nodiscard]] PlanarMesh delaunay();
+  [[nodiscard]] PlanarMesh given(const Triangulation& triangulation);
+
+ private:
+  [[nodiscard]] HugeVector<LinkedTriangle> linked(const Triangulation& triangulation) const;
+  void order_triangles();
+  void number_edges();
+  void link_edges();
+  void link_outer_face();
+  PlanarMesh build(HugeVector<LinkedTriangle> triangles);
+
+  PlanarMesh mesh_;
+  HugeVector<LinkedTriangle> triangles_;
+  std::vector<std::uint32_t> order_;  // the real triangles by their first point
+  std::vector<Halfedge> outer_;       // halfedges of the outer face
+};
+
+}  // namespace mwt

@@ -1,0 +1,24 @@
+// Point sets of many shapes for the tests of this floor: generic ones, ties, near-ties, collinear rows, extremes.
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace mwt::test {
+
+/// A family of point sets: distinct points, not all collinear, about n of them (some shapes round, grids may repeat
+/// less). Deterministic for a state of the engine.
+struct Shape {
+  std::string name;
+  std::vector<Point> (*make)(std::size_t n, std::mt19937_64& random);
+};
+
+[[nodiscard]] const std::vector<Shape>& shapes();
+
+/// Points of the shape, seeded; n >= 3.
+[[nodiscard]] std::vector<Point> make_shape(const Shape& shape, std::size_t n, std::uint64_t seed);
+
+}  // namespace mwt::test

@@ -1,0 +1,177 @@
+// Runs the program as its users do.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "algorithms/registry.h"
+#include "harness/test_support.h"
+
+namespace mwt {
+namespace {
+
+using testing::read_text;
+using testing::TemporaryFolder;
+using testing::write_text;
+
+class Commands : public ::testing::Test {
+ protected:
+  struct Result {
+    int exit_code = -1;
+    std::string output;
+    std::string errors;
+  };
+
+  [[nodiscard]] Result mwt(const std::string& arguments) const {
+    const std::string command = std::string("cd ") + folder_.path("") + " && " MWT_EXECUTABLE " " + arguments + " >" +
+                                folder_.path(".out") + " 2>" + folder_.path(".err") + " </dev/null";
+    const int status = std::system(command.c_str());
+    return {WEXITSTATUS(status), read_text(folder_.path(".out")), read_text(folder_.path(".err"))};
+  }
+
+  // Exit 2 and exactly one line that begins with "mwt: " and has `part` in it.
+  void expect_mistake(const std::string& arguments, const std::string& part) const {
+    const Result result = mwt(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+    EXPECT_TRUE(result.errors.starts_with("mwt: ")) << result.errors;
+    EXPECT_NE(result.errors.find(part), std::string::npos) << arguments << ": " << result.errors;
+    EXPECT_EQ(result.output, "") << arguments;
+  }
+
+  void write(const std::string& name, const std::string& text) const { write_text(folder_.path(name), text); }
+  [[nodiscard]] std::string read(const std::string& name) const { return read_text(folder_.path(name)); }
+
+  // An algorithm that takes any points.
+  [[nodiscard]] static std::string some_algorithm() {
+    const auto all = algorithms();
+    return all.empty() ? "none" : all.front().name;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Commands, MistakesOnTheCommandLine) {
+  expect_mistake("", "no command");
+  expect_mistake("sovle x", "unknown command 'sovle'; known: list, generate, solve, check, run");
+  expect_mistake("generate", "family is required");
+  expect_mistake("generate uniform --n ten -o p.txt", "--n");
+  expect_mistake("generate uniform --n -5 -o p.txt", "--n");
+  expect_mistake("generate uniform --n 5 --bogus -o p.txt", "--bogus");
+  expect_mistake("generate uniform -o p.txt", "give --n");
+  expect_mistake("generate nothing --n 5 -o p.txt", "unknown generator 'nothing'; known: uniform");
+  expect_mistake("generate uniform --n 5 --param k=1 -o p.txt", "unknown parameter 'k'");
+  expect_mistake("generate uniform --n 5 --param k -o p.txt", "not of the form name=value");
+  expect_mistake("generate clustered --n 5 --param sigma=x -o p.txt", "sigma=x is not a number");
+  expect_mistake("generate report_example --n 11 -o p.txt", "10");
+  expect_mistake("list cats", "known: algorithms, generators, studies");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("p.txt")));
+}
+
+TEST_F(Commands, UnusablePointFiles) {
+  write("words.txt", "0 0\n1 one\n");
+  write("nan.txt", "0 0\n1 nan\n0 1\n");
+  write("inf.txt", "0 0\n1 inf\n0 1\n");
+  write("two.txt", "0 0\n1 1\n");
+  write("line.txt", "0 0\n1 1\n2 2\n3 3\n");
+  write("equal.txt", "1 1\n1 1\n1 1\n");
+  write("empty.txt", "");
+  const std::string with = " --algorithm " + some_algorithm();
+  if (algorithms().empty()) GTEST_SKIP() << "no algorithms yet";
+  expect_mistake("solve missing.txt" + with, "missing.txt");
+  expect_mistake("solve words.txt" + with, "words.txt:2");
+  expect_mistake("solve nan.txt" + with, "nan.txt:2");
+  expect_mistake("solve inf.txt" + with, "inf.txt:2");
+  expect_mistake("solve two.txt" + with, "at least 3");
+  expect_mistake("solve line.txt" + with, "one line");
+  expect_mistake("solve equal.txt" + with, "1 distinct point");
+  expect_mistake("solve empty.txt" + with, "empty.txt");
+  expect_mistake("check missing.txt words.txt", "missing.txt");
+  expect_mistake("check two.txt words.txt", "at least 3");
+}
+
+TEST_F(Commands, UnknownNamesAndParametersOfAlgorithms) {
+  write("points.txt", "0 0\n1 0\n0 1\n");
+  expect_mistake("solve points.txt --algorithm nothing", "unknown algorithm 'nothing'");
+  expect_mistake("solve points.txt", "--algorithm is required");
+  if (algorithms().empty()) GTEST_SKIP() << "no algorithms yet";
+  expect_mistake("solve points.txt --algorithm " + some_algorithm() + " --param no_such=1",
+                 "unknown parameter 'no_such'");
+  expect_mistake("solve points.txt --algorithm " + some_algorithm() + " --time-limit -1", "--time-limit");
+  expect_mistake("solve points.txt --algorithm " + some_algorithm() + " --threads 0", "--threads");
+}
+
+TEST_F(Commands, NothingIsOverwrittenByAFailure) {
+  write("p.txt", "precious");
+  expect_mistake("generate uniform --n 1 -o p.txt", "3");
+  expect_mistake("generate uniform --n 5 -o no/such/folder/p.txt", "no/such/folder");
+  expect_mistake("generate uniform --n 5 -o /dev/full", "/dev/full");
+  expect_mistake("generate uniform --n 5 -o p.doc", "p.doc");
+  EXPECT_EQ(read("p.txt"), "precious");
+}
+
+TEST_F(Commands, MistakesInStudies) {
+  write("bad.toml",
+        "name = \"bad\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [10]\nalgorithms = [\"*\"]\ntime = 3\n");
+  expect_mistake("run bad.toml", "bad.toml:6: a study has no key 'time'");
+  write("bad.toml", "name = \"bad\nsummary = 3\n");
+  expect_mistake("run bad.toml", "bad.toml:1: not valid TOML");
+  write("bad.toml", "name = \"bad\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [10]\nalgorithms = [\"no\"]\n");
+  expect_mistake("run bad.toml", "bad.toml:5: unknown algorithm 'no'");
+  expect_mistake("run missing.toml", "missing.toml");
+  expect_mistake("run no_such_study", "known: report, report_full");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("results")));
+}
+
+TEST_F(Commands, HelpIsNoMistake) {
+  EXPECT_EQ(mwt("--help").exit_code, 0);
+  const Result help = mwt("solve --help");
+  EXPECT_EQ(help.exit_code, 0);
+  EXPECT_NE(help.output.find("--with-optimum"), std::string::npos);
+}
+
+TEST_F(Commands, GeneratedPointsComeBack) {
+  EXPECT_EQ(mwt("generate uniform --n 50 --seed 7 -o p.json").exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(read("p.json"))["points"].size(), 50u);
+  EXPECT_EQ(mwt("generate uniform --n 50 --seed 7 -o -").output, mwt("generate uniform --n 50 --seed 7 -o -").output);
+  EXPECT_EQ(mwt("generate report_example -o r.txt").exit_code, 0) << "a named instance needs no --n";
+}
+
+TEST_F(Commands, ListsAreCompleteJson) {
+  const auto list = nlohmann::json::parse(mwt("list algorithms --json").output);
+  ASSERT_EQ(list.size(), algorithms().size());
+  for (std::size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list[i]["name"], algorithms()[i].name);
+  const auto families = nlohmann::json::parse(mwt("list generators --json").output);
+  ASSERT_EQ(families.size(), generators().size());
+  const auto studies = nlohmann::json::parse(mwt("list studies --json").output);
+  EXPECT_EQ(studies[0]["name"], "report");
+  EXPECT_NE(mwt("list generators").output.find("uniform"), std::string::npos);
+}
+
+TEST_F(Commands, CheckSaysWhichRuleBroke) {
+  write("p.txt", "0 0\n1 0\n1 1\n0 1\n1 0\n");
+  write("good.csv", "a,b,c\n0,1,2\n0,2,3\n");
+  write("duplicate.csv", "0,4,2\n0,2,3\n");
+  write("flipped.csv", "0,1,2\n0,3,2\n");
+  write("range.csv", "0,1,2\n0,2,9\n");
+  write("words.csv", "0,1,2\n0,x,3\n");
+  EXPECT_EQ(mwt("check p.txt good.csv").exit_code, 0);
+  EXPECT_EQ(mwt("check p.txt duplicate.csv").exit_code, 0) << "a corner at a duplicate is the point itself";
+  const Result flipped = mwt("check p.txt flipped.csv");
+  EXPECT_EQ(flipped.exit_code, 1);
+  EXPECT_NE(flipped.output.find("strictly_counter_clockwise"), std::string::npos) << flipped.output;
+  const Result range = mwt("check p.txt range.csv");
+  EXPECT_EQ(range.exit_code, 1);
+  EXPECT_NE(range.output.find("corner 9"), std::string::npos) << range.output;
+  expect_mistake("check p.txt words.csv", "words.csv:2");
+}
+
+TEST_F(Commands, AClosedOrFullStandardOutputIsAMistake) {
+  const std::string command = std::string(MWT_EXECUTABLE) + " list generators >/dev/full 2>" + folder_.path(".err");
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
+  EXPECT_TRUE(read(".err").starts_with("mwt: standard output")) << read(".err");
+}
+
+}  // namespace
+}  // namespace mwt

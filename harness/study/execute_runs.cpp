@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "geometry/error.h"
+#include "harness/study/isolated_run.h"
+#include "harness/study/study_session.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+std::set<std::string> recorded_ids(const ResultsFolder& folder) {
+  std::set<std::string> ids;
+  for (const RunRecord& record : folder.runs()) ids.insert(record.run_id);
+  return ids;
+}
+
+class RunPhase {
+ public:
+  explicit RunPhase(StudySession& session)
+      : session_(session),
+        recorded_(recorded_ids(session.folder)),
+        progress_(session.out, session.options.is_terminal, "runs", missing()),
+        pool_(session.options.jobs) {}
+
+  void run() {
+    for (const PlannedRun& run : session_.plan.runs) {
+      if (recorded_.contains(run.run_id)) continue;
+      if (!wait_for_room(pool_, progress_)) break;
+      start(run);
+    }
+    wait_for_all(pool_, progress_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t missing() const {
+    const auto& runs = session_.plan.runs;
+    return static_cast<std::size_t>(std::count_if(
+        runs.begin(), runs.end(), [&](const PlannedRun& run) { return !recorded_.contains(run.run_id); }));
+  }
+
+  void start(const PlannedRun& run) {
+    RunRecord keys = keys_of(run);
+    std::shared_ptr<const Instance> instance;
+    try {
+      instance = session_.instances.make(run.instance);
+      keys.instance_id = instance->id;
+    } catch (const InputError& error) {
+      record_without_running(std::move(keys), RunStatus::error, std::string("no instance: ") + error.what());
+      return;
+    }
+    if (keys.n > run.largest_n) {
+      record_without_running(std::move(keys), RunStatus::not_applicable,
+                             "beyond the largest n for this algorithm: " + std::to_string(run.largest_n));
+      return;
+    }
+    Request request;
+    request.algorithm = run.algorithm;
+    request.parameters = run.parameters;
+    request.seed = keys.seed;
+    request.threads = session_.study.threads;
+    request.time_limit_s = session_.study.limits.time_s;
+    start_isolated_run(pool_, request, instance, keys, session_.study.limits, session_.study.min_time_s,
+                       [this](RunRecord ended) { record(std::move(ended)); });
+  }
+
+  [[nodiscard]] RunRecord keys_of(const PlannedRun& run) const {
+    const PlannedInstance& planned = session_.plan.instances[run.instance];
+    const Study& study = session_.study;
+    RunRecord record;
+    record.run_id = run.run_id;
+    record.study = study.name;
+    record.env_id = session_.environment.env_id;
+    record.git_commit = session_.environment.git_commit;
+    record.binary_sha256 = session_.environment.binary_sha256;
+    record.algorithm = run.algorithm->name;
+    record.params = run.parameters.canonical();
+    record.generator = planned.family->name;
+    record.generator_params = planned.parameters.canonical();
+    record.n = planned.n;
+    record.seed = planned.seed;
+    record.repetition = run.repetition;
+    record.threads = study.threads;
+    record.time_limit_s = study.limits.time_s;
+    record.memory_limit_bytes = study.limits.memory_bytes;
+    return record;
+  }
+
+  void record_without_running(RunRecord run, RunStatus status, const std::string& message) {
+    run.status = status;
+    run.message = message;
+    run.recorded_at = utc_now();
+    record(std::move(run));
+  }
+
+  void record(RunRecord run) {
+    const std::string label =
+        run.algorithm + " on " + run.generator + " n=" + std::to_string(run.n) + " seed=" + std::to_string(run.seed);
+    StudyOutcome& outcome = session_.outcome;
+    if (!session_.known.rate(run)) {
+      ++outcome.contradictions;
+      progress_.announce(label + ": " + run.message);
+    }
+    session_.folder.append(run);
+    ++outcome.runs;
+    if (is_failure(run.status)) ++outcome.failures;
+    progress_.advance(is_failure(run.status), label);
+  }
+
+  StudySession& session_;
+  std::set<std::string> recorded_;  // run ids
+  Progress progress_;
+  ProcessPool pool_;  // last: its processes end before what their results refer to
+};
+
+}  // namespace
+
+void execute_runs(StudySession& session) { RunPhase(session).run(); }
+
+}  // namespace mwt

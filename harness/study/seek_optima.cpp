@@ -1,0 +1,101 @@
+#include <set>
+#include <utility>
+
+#include "geometry/error.h"
+#include "harness/quality.h"
+#include "harness/study/optimum_search.h"
+#include "harness/study/study_session.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+class OptimumPhase {
+ public:
+  explicit OptimumPhase(StudySession& session)
+      : session_(session),
+        progress_(session.out, session.options.is_terminal, "optima", session.plan.instances.size()),
+        pool_(session.options.jobs) {
+    for (const InstanceRecord& record : session.folder.instances()) sought_.insert(record.instance_id);
+  }
+
+  void run() {
+    for (const PlannedInstance& planned : session_.plan.instances) {
+      if (!wait_for_room(pool_, progress_)) break;
+      seek(planned);
+    }
+    wait_for_all(pool_, progress_);
+  }
+
+ private:
+  void seek(const PlannedInstance& planned) {
+    std::shared_ptr<const Instance> instance;
+    try {
+      instance = session_.instances.make(static_cast<std::size_t>(&planned - session_.plan.instances.data()));
+    } catch (const InputError& error) {  // its runs become rows that say so
+      progress_.announce(planned.label() + ": no instance: " + error.what());
+      progress_.advance(true, planned.label());
+      return;
+    }
+    const bool is_new = sought_.insert(instance->id).second;
+    if (!is_new) {
+      progress_.advance(false, planned.label());
+      return;
+    }
+    const auto when_done = [this, &planned, instance](const FoundOptimum& found) { record(planned, *instance, found); };
+    seek_optimum(pool_, instance, sources_for(*instance), session_.study.optimum_limits, when_done);
+  }
+
+  [[nodiscard]] std::vector<const AlgorithmInfo*> sources_for(const Instance& instance) const {
+    if (!session_.study.seeks_optimum) return {};
+    const auto n = static_cast<Index>(instance.set.points.size());
+    return optimum_sources_for(session_.catalogue, session_.study.optimum_sources, n);
+  }
+
+  void record(const PlannedInstance& planned, const Instance& instance, const FoundOptimum& found) {
+    InstanceRecord record = keys_of(planned, instance);
+    if (found.interval) {
+      record.optimum_lower = found.interval->lower;
+      record.optimum_upper = found.interval->upper;
+      static_cast<void>(session_.known.add(instance.id, *found.interval));  // its first bounds: nothing to contradict
+    }
+    record.optimality = name_of(optimality_of(found.interval));
+    record.optimum_source = found.source;
+    record.optimum_time_s = found.time_s;
+    record.optimum_note = found.note;
+    session_.folder.append(record);
+    if (found.contradiction) {
+      ++session_.outcome.contradictions;
+      progress_.announce(planned.label() + ": " + found.note);
+    }
+    progress_.advance(found.contradiction, planned.label());
+  }
+
+  [[nodiscard]] InstanceRecord keys_of(const PlannedInstance& planned, const Instance& instance) const {
+    InstanceRecord record;
+    record.instance_id = instance.id;
+    record.study = session_.study.name;
+    record.env_id = session_.environment.env_id;
+    record.recorded_at = utc_now();
+    record.generator = planned.family->name;
+    record.generator_params = planned.parameters.canonical();
+    record.n = planned.n;
+    record.seed = planned.seed;
+    record.distinct = static_cast<Index>(instance.set.points.size());
+    record.duplicates = instance.set.duplicates();
+    record.hull_size = instance.hull_size;
+    return record;
+  }
+
+  StudySession& session_;
+  Progress progress_;
+  std::set<std::string> sought_;  // instance ids
+  ProcessPool pool_;              // last: its processes end before what their results refer to
+};
+
+}  // namespace
+
+void seek_optima(StudySession& session) { OptimumPhase(session).run(); }
+
+}  // namespace mwt

@@ -1,0 +1,50 @@
+#include "harness/study/study_session.h"
+
+#include "harness/environment.h"
+#include "harness/study/interrupt.h"
+
+namespace mwt {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{200};
+
+}  // namespace
+
+std::shared_ptr<const Instance> InstanceMaker::make(std::size_t position) {
+  if (!last_ || position != last_position_) {
+    const PlannedInstance& planned = plan_.instances[position];
+    last_ = std::make_shared<const Instance>(make_instance(planned.generate(), planned.label()));
+    last_position_ = position;
+  }
+  return last_;
+}
+
+StudySession::StudySession(const Study& the_study, const Catalogue& the_catalogue, const RunOptions& the_options,
+                           std::ostream& the_out)
+    : study(the_study),
+      catalogue(the_catalogue),
+      options(the_options),
+      out(the_out),
+      plan(make_plan(study, catalogue)),
+      folder(options.folder, study, options.resume),
+      environment(describe_environment(study.name, options.jobs)),
+      instances(plan) {}
+
+bool wait_for_room(ProcessPool& pool, Progress& progress) {
+  while (pool.is_full() && !InterruptWatch::requested()) {
+    pool.wait(kPatience);
+    progress.refresh();
+  }
+  return !pool.is_full() && !InterruptWatch::requested();
+}
+
+void wait_for_all(ProcessPool& pool, Progress& progress) {
+  while (!pool.is_empty() && !InterruptWatch::requested()) {
+    pool.wait(kPatience);
+    progress.refresh();
+  }
+  progress.finish();
+}
+
+}  // namespace mwt

@@ -1,0 +1,59 @@
+// What the phases of one `mwt run` share.
+#pragma once
+
+#include <memory>
+#include <ostream>
+
+#include "harness/execution.h"
+#include "harness/progress.h"
+#include "harness/study/known_optima.h"
+#include "harness/study/plan.h"
+#include "harness/study/process_pool.h"
+#include "harness/study/results_folder.h"
+#include "harness/study/run_study.h"
+
+namespace mwt {
+
+/// The instances of a plan, made when they are needed. The last one stays, for runs come instance by instance.
+class InstanceMaker {
+ public:
+  explicit InstanceMaker(const Plan& plan) : plan_(plan) {}
+
+  /// Throws InputError if the family has no such instance after all.
+  [[nodiscard]] std::shared_ptr<const Instance> make(std::size_t position);
+
+ private:
+  const Plan& plan_;
+  std::shared_ptr<const Instance> last_;
+  std::size_t last_position_ = 0;
+};
+
+struct StudySession {
+  StudySession(const Study& the_study, const Catalogue& the_catalogue, const RunOptions& the_options,
+               std::ostream& the_out);
+
+  const Study& study;
+  const Catalogue& catalogue;
+  const RunOptions& options;
+  std::ostream& out;
+  const Plan plan;
+  ResultsFolder folder;
+  const EnvironmentRecord environment;
+  InstanceMaker instances;
+  KnownOptima known;
+  StudyOutcome outcome;
+};
+
+/// Seeks and records the optimum of every instance that has no row yet.
+void seek_optima(StudySession& session);
+
+/// Executes and records every run that has no row yet.
+void execute_runs(StudySession& session);
+
+/// Waits until there is room in the pool, showing progress. False if an interrupt was requested instead.
+[[nodiscard]] bool wait_for_room(ProcessPool& pool, Progress& progress);
+
+/// Waits until the pool is empty or an interrupt is requested, then ends the progress line.
+void wait_for_all(ProcessPool& pool, Progress& progress);
+
+}  // namespace mwt
