@@ -43,7 +43,8 @@ class CoverProgram {
   /// The last solution's triangles if they are a cover: verified by counting sides, not by rounding.
   [[nodiscard]] std::optional<std::vector<Triangle>> cover() const;
 
-  /// The open inner edge that the last solution uses most nearly half, if any edge is used in part.
+  /// The open inner edge to branch on, if the last solution uses any in part: long and far from whole, as deciding such
+  /// an edge changes most.
   [[nodiscard]] std::optional<std::uint32_t> fractional_edge() const;
 
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
