@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "algorithms/exact/near_points.h"
+#include "algorithms/exact/search_stopped.h"
 
 namespace mwt {
 
