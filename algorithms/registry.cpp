@@ -1,12 +1,15 @@
 #include "algorithms/registry.h"
 
+#include "algorithms/annealing/annealing.h"
 #include "algorithms/brute_force/brute_force.h"
 #include "algorithms/delaunay/delaunay.h"
 #include "algorithms/exact/exact.h"
+#include "algorithms/flip/flip.h"
 #include "algorithms/flip_report/flip_report.h"
 #include "algorithms/greedy/greedy.h"
 #include "algorithms/greedy_report/greedy_report.h"
 #include "algorithms/hull_insertion/hull_insertion.h"
+#include "algorithms/patch/patch.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
 #include "algorithms/quadtree/quadtree.h"
 #include "algorithms/subset_dp/subset_dp.h"
@@ -18,20 +21,14 @@ namespace mwt {
 
 // Each algorithm's folder has a header that declares its entry: `AlgorithmInfo x_entry();`.
 std::span<const AlgorithmInfo> algorithms() {
+  // One line each, so that additions do not move others.
+  // clang-format off
   static const std::vector<AlgorithmInfo> entries = {
-      delaunay_entry(),
-      sweep_entry(),
-      greedy_report_entry(),
-      greedy_entry(),
-      polygon_dp_entry(),
-      hull_insertion_entry(),
-      flip_report_entry(),
-      quadtree_entry(),
-      brute_force_entry(),
-      subset_dp_entry(),
-      triangle_lp_entry(),
-      exact_entry(),
+      delaunay_entry(),    sweep_entry(),       greedy_report_entry(), greedy_entry(),      hull_insertion_entry(),
+      flip_report_entry(), flip_entry(),        patch_entry(),         annealing_entry(),   quadtree_entry(),
+      polygon_dp_entry(),  brute_force_entry(), subset_dp_entry(),     triangle_lp_entry(), exact_entry(),
   };
+  // clang-format on
   return entries;
 }
 

@@ -101,7 +101,7 @@ class FaceSolver {
   std::size_t late_regions_ = 0;
 };
 
-// Face numbers, not their order of solution, decide where triangles go.
+// Every part has its place, whichever thread fills it.
 FaceSolution FaceSolver::solve() {
   FaceSolution solution;
   outer_face_ = walker_.owner_of_outer_face();
@@ -157,8 +157,7 @@ void FaceSolver::solve_walk(const Walk& walk, PolygonFaceSolver& solver, Part& p
   }
 }
 
-// Each walk once, in the order of their owners: the first of its halfedges in the list that its own walk does not find
-// smaller ones for.
+// Starts come in ascending order, so that a walk's first one is its owner; the others find it visited.
 std::vector<Walk> FaceSolver::collect_long_walks() const {
   std::vector<Walk> walks;
   std::vector<bool> is_visited;

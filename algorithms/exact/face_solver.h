@@ -24,7 +24,7 @@ struct FaceSolution {
   std::uint64_t faces_with_holes = 0;     ///< solved by linear programming
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
-  std::uint64_t unsolved_faces = 0;  ///< cut short by the deadline; each contributes its own lower bound
+  std::uint64_t unsolved_faces = 0;  ///< cut short by a limit; each contributes its own lower bound
 };
 
 /// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). Faces with holes or

@@ -1,27 +1,10 @@
 #include "algorithms/greedy/certified_edges.h"
 
-#include <cmath>
+#include "algorithms/mesh/angle.h"
 
 namespace mwt {
 
 namespace {
-
-// The angle at a triangle's corner as a complex number: its argument, scaled by the product of the adjacent sides.
-struct Angle {
-  double real;
-  double imaginary;
-};
-
-Angle angle_at(const Point& apex, const Point& from, const Point& to) {
-  const double fx = from.x - apex.x, fy = from.y - apex.y, tx = to.x - apex.x, ty = to.y - apex.y;
-  return {fx * tx + fy * ty, fx * ty - fy * tx};
-}
-
-Angle operator*(const Angle& a, const Angle& b) {
-  return {a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real};
-}
-
-double size(const Angle& a) { return std::abs(a.real) + std::abs(a.imaginary); }
 
 // Each angle errs by less than 1e-15 of its size, sums of three by less than 1e-14.
 bool surely_below_half_turn(const Angle& sum, double magnitude) { return sum.imaginary > 1e-12 * magnitude; }

@@ -238,8 +238,9 @@ class GreedyBuilder {
     for (const Halfedge h : {2 * e, 2 * e + 1}) {
       if ((mesh_.marks(e) & kWatchedMarks[h & 1]) != 0) unblocked_.push_back(stars_.right_of(h));
     }
-    mesh_.marks(e) = (mesh_.marks(e) & ~(kWatchedMarks[0] | kWatchedMarks[1])) | kFlippedMark;
+    const std::uint32_t lasting = mesh_.marks(e) & (kFaceMark | kInnerMark);
     mesh_.flip(e);
+    mesh_.marks(e) = lasting | kFlippedMark;
     ++counters_.flips;
   }
 

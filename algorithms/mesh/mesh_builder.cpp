@@ -102,12 +102,12 @@ void MeshBuilder::link_edges() {
     std::array<Halfedge, 3> sides;
     for (std::uint32_t i = 0; i < 3; ++i) {
       sides[i] = triangles_[t].twins[i] & ~kNumbered;
-      mesh_.edges_[sides[i] >> 1].origins[sides[i] & 1] = triangles_[t].corners[i];
-      mesh_.edges_[sides[i] >> 1].origins[(sides[i] & 1) ^ 1] = triangles_[t].corners[i == 2 ? 0 : i + 1];
+      const bool first_half = (sides[i] & 1) == 0;  // each edge has one, in a real triangle
+      if (first_half)
+        mesh_.set_edge(sides[i] >> 1, triangles_[t].corners[i], triangles_[t].corners[i == 2 ? 0 : i + 1]);
     }
     mesh_.link_triangle(sides[0], sides[1], sides[2]);
   }
-  for (MeshEdge e = 0; e < mesh_.edges_.size(); ++e) mesh_.update_length(e);
 }
 
 void MeshBuilder::link_outer_face() {

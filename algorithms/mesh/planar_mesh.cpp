@@ -17,17 +17,14 @@ Edge PlanarMesh::labelled_edge(MeshEdge e) const {
   return make_edge(labels_[edges_[e].origins[0]], labels_[edges_[e].origins[1]]);
 }
 
-void PlanarMesh::update_length(MeshEdge e) {
-  EdgeRecord& edge = edges_[e];
-  const Point& p = points_[edge.origins[0]];
-  const Point& q = points_[edge.origins[1]];
+void PlanarMesh::set_edge(MeshEdge e, Index from, Index to) {
+  const Point& p = points_[from];
+  const Point& q = points_[to];
   const double dx = p.x - q.x, dy = p.y - q.y;
+  EdgeRecord& edge = edges_[e];
+  edge.origins = {from, to};
   edge.squared_length = static_cast<float>(dx * dx + dy * dy);
-}
-
-void PlanarMesh::set_origins(MeshEdge e, Index from, Index to) {
-  edges_[e].origins = {from, to};
-  update_length(e);
+  edge.marks = 0;
 }
 
 void PlanarMesh::link_triangle(Halfedge a, Halfedge b, Halfedge c) {
@@ -42,7 +39,7 @@ void PlanarMesh::link_triangle(Halfedge a, Halfedge b, Halfedge c) {
 void PlanarMesh::flip(MeshEdge e) {
   const Halfedge h = 2 * e, t = h + 1;
   const Halfedge h_next = next(h), h_previous = previous(h), t_next = next(t), t_previous = previous(t);
-  set_origins(e, origin(t_previous), origin(h_previous));
+  set_edge(e, origin(t_previous), origin(h_previous));
   link_triangle(h, h_previous, t_next);
   link_triangle(t, t_previous, h_next);
 }

@@ -73,15 +73,15 @@ class PlanarMesh {
   [[nodiscard]] Index label(Index v) const { return labels_[v]; }
   [[nodiscard]] Edge labelled_edge(MeshEdge e) const;
 
-  /// Replaces e by the other diagonal of the quadrilateral formed by its two triangles, turning it counter-clockwise;
-  /// marks are kept. Precondition: not a hull edge, the quadrilateral is strictly convex.
+  /// Replaces e by the other diagonal of the quadrilateral formed by its two triangles, turning it counter-clockwise,
+  /// and clears its marks: it is another edge now. Precondition: not a hull edge, the quadrilateral is strictly convex.
   void flip(MeshEdge e);
 
   /// Whether the two triangles at e form a strictly convex quadrilateral. Exact. Precondition: not a hull edge.
   [[nodiscard]] bool is_flippable(MeshEdge e) const;
 
-  /// Gives halfedge h new ends and a new place: the left face is h, next, previous. For rebuilding whole regions.
-  void set_origins(MeshEdge e, Index from, Index to);
+  /// For rebuilding a region: makes e an edge between these points, without marks, and a face of three halfedges.
+  void set_edge(MeshEdge e, Index from, Index to);
   void link_triangle(Halfedge a, Halfedge b, Halfedge c);
 
   /// Clears these marks on all edges.
@@ -97,8 +97,6 @@ class PlanarMesh {
  private:
   friend class MeshBuilder;
   PlanarMesh() = default;
-
-  void update_length(MeshEdge e);
 
   HugeVector<Point> points_;
   std::vector<Index> labels_;

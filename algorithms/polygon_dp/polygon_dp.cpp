@@ -22,6 +22,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // double-double lies within this factor of the smallest sum.
 constexpr double kNear = 1 + 0x1p-50;
 
+// Rows of the table that are filled together.
+constexpr std::size_t kBlock = 16;
+
 // The table of the dynamic program. Entry (i, j) is the cost of the chain from i to j with its chord: the chord's
 // length once for a side of the polygon, `diagonal_factor` times for a diagonal, plus the best split's two entries.
 class IntervalTable {
@@ -34,8 +37,10 @@ class IntervalTable {
         high_(size_ * size_, kInfinity),
         low_(size_ * size_, 0.0) {
     for (std::size_t i = 0; i + 1 < size_; ++i) set(i, i + 1, chord_length(i, i + 1));
-    for (std::size_t gap = 2; gap < size_; ++gap) {
-      for (std::size_t i = 0; i + gap < size_; ++i) fill(i, i + gap);
+    for (std::size_t end = size_ - 1; end > 0;) {
+      const std::size_t first = end - std::min(end, kBlock);
+      fill_rows(first, end);
+      end = first;
     }
   }
 
@@ -55,6 +60,15 @@ class IntervalTable {
   }
 
  private:
+  // Rows first .. end - 1, those after them being complete. Like the report's loop over gaps, this takes (i, j) after
+  // all (i, k) and (k, j), and so gives the same table. But row j serves several rows i while it is in cache, which
+  // halves the time from 2000 vertices on.
+  void fill_rows(std::size_t first, std::size_t end) {
+    for (std::size_t j = first + 2; j < size_; ++j) {
+      for (std::size_t i = std::min(end, j - 1); i-- > first;) fill(i, j);
+    }
+  }
+
   void fill(std::size_t i, std::size_t j) {
     const std::size_t k = best_split(i, j);
     if (k == size_) return;
@@ -101,8 +115,8 @@ class IntervalTable {
     const double limit = bound * kNear;
     std::size_t best = size_;
     DoubleDouble best_sum = kInfinity;
-    for (std::size_t k = i + 1; k < j; ++k) {
-      if (high_[i * size_ + k] + high_[j * size_ + k] > limit || !turns_left(i, k, j)) continue;
+    for (std::size_t k = next_near(i, j, i + 1, limit); k < j; k = next_near(i, j, k + 1, limit)) {
+      if (!turns_left(i, k, j)) continue;
       const DoubleDouble sum = cost(i, k) + cost(k, j);
       if (sum < best_sum) {
         best_sum = sum;
@@ -110,6 +124,14 @@ class IntervalTable {
       }
     }
     return best;
+  }
+
+  // The first split from k on whose rounded sum is at most `limit`, else j.
+  [[nodiscard]] std::size_t next_near(std::size_t i, std::size_t j, std::size_t k, double limit) const {
+    const double* left = &high_[i * size_];
+    const double* right = &high_[j * size_];
+    while (k < j && left[k] + right[k] > limit) ++k;
+    return k;
   }
 
   [[nodiscard]] const Point& at(std::size_t i) const { return points_[polygon_[i]]; }

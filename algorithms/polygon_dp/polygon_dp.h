@@ -23,8 +23,8 @@ struct PolygonTriangulation {
 /// An optimal triangulation of a simple polygon, convex or not, given as a counter-clockwise cycle of indices. Vertices
 /// on straight parts of the boundary are vertices like others; no triangle is flat and no edge passes through a vertex.
 ///
-/// Intervals (i, j) of positions in the cycle, gaps in the outer loop, as in the report: the triangle (i, k, j) on
-/// chord ij costs what its sides add. The first k wins ties (of costs that agree to about 100 bits). Triangles are
+/// Intervals (i, j) of positions in the cycle, each after those inside it, as in the report: the triangle (i, k, j)
+/// on chord ij costs what its sides add. The first k wins ties (of costs that agree to about 100 bits). Triangles are
 /// listed in preorder: (i, k, j), then those of (i, k), then those of (k, j), starting with the whole cycle.
 ///
 /// No visibility test is needed, only that every triangle turns left: the triangles' boundaries add up to the polygon,
@@ -34,7 +34,7 @@ struct PolygonTriangulation {
 ///
 /// Costs are double-double sums with a proven error bound; plain doubles only discard what is certainly worse.
 /// Throws InputError if there is no triangulation: the cycle is not simple, not counter-clockwise, or flat.
-/// O(n^3) time (about .1 s at n = 1000), 16 n^2 bytes. Deterministic.
+/// O(n^3) time (about .2 s at n = 1000, 1.5 s at 2000), 16 n^2 bytes. Deterministic.
 ///
 /// P. D. Gilbert, "New results in planar triangulations", 1979; G. T. Klincsek, "Minimal triangulations of polygonal
 /// domains", Annals of Discrete Mathematics 9 (1980).

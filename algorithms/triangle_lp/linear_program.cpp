@@ -16,6 +16,9 @@ void jump_back(void* destination) {
   std::longjmp(*static_cast<std::jmp_buf*>(destination), 1);
 }
 
+// GLPK reports its errors on the terminal even when told to be quiet; a hook that claims each message keeps it so.
+int swallow_message(void*, const char*) { return 1; }
+
 glp_prob* glpk(void* problem) { return static_cast<glp_prob*>(problem); }
 
 // What is left until the deadline in milliseconds, as GLPK wants it.
@@ -55,7 +58,7 @@ bool LinearProgram::guarded(Action action) {
 }
 
 LinearProgram::LinearProgram() {
-  glp_term_out(GLP_OFF);
+  glp_term_hook(swallow_message, nullptr);
   problem_ = glp_create_prob();
 }
 

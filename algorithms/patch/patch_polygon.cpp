@@ -1,0 +1,156 @@
+#include "algorithms/patch/patch_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/double_double.h"
+#include "geometry/predicates.h"
+
+namespace mwt {
+
+namespace {
+
+double distance(const Point& p, const Point& q) {
+  const double dx = p.x - q.x, dy = p.y - q.y;
+  const double squared = dx * dx + dy * dy;
+  const bool in_range = squared > 1e-280 && squared < 1e300;
+  return in_range ? std::sqrt(squared) : std::hypot(dx, dy);
+}
+
+}  // namespace
+
+Halfedge PatchPolygon::name_of_triangle(Halfedge side) const {
+  return std::min(side, std::min(mesh_.next(side), mesh_.previous(side)));
+}
+
+// Whether the triangle beyond `side` may join.
+bool PatchPolygon::is_open(Halfedge side, std::uint32_t closed) const {
+  if ((mesh_.marks(edge_of(side)) & (kHullMark | closed)) != 0) return false;
+  return std::find(triangles_.begin(), triangles_.end(), name_of_triangle(twin(side))) == triangles_.end();
+}
+
+// Replaces the side at `link` by the two other sides of the triangle beyond it.
+void PatchPolygon::add_triangle(std::size_t link) {
+  const Halfedge beyond = twin(links_[link].side);
+  triangles_.push_back(name_of_triangle(beyond));
+  inner_.push_back(edge_of(beyond));
+  links_.push_back({mesh_.previous(beyond), links_[link].next});
+  links_[link] = {mesh_.next(beyond), links_.size() - 1};
+}
+
+void PatchPolygon::grow(Halfedge start, int k, std::uint32_t closed) {
+  triangles_.assign(1, name_of_triangle(start));
+  inner_.clear();
+  links_ = {{start, 1}, {mesh_.next(start), 2}, {mesh_.previous(start), 0}};
+  const auto wanted = static_cast<std::size_t>(k);
+  // A link's side changes when its triangle joins: going round the links again and again is breadth-first enough, and
+  // every round adds a triangle or is the last.
+  for (bool grew = true; grew && triangles_.size() < wanted;) {
+    grew = false;
+    const std::size_t round_end = links_.size();
+    for (std::size_t link = 0; link < round_end && triangles_.size() < wanted; ++link) {
+      if (!is_open(links_[link].side, closed)) continue;
+      add_triangle(link);
+      grew = true;
+    }
+  }
+  boundary_.clear();
+  corners_.clear();
+  std::size_t link = 0;
+  do {
+    boundary_.push_back(links_[link].side);
+    corners_.push_back(mesh_.origin(links_[link].side));
+    link = links_[link].next;
+  } while (link != 0);
+}
+
+bool PatchPolygon::improve() {
+  if (inner_.empty()) return false;
+  measure_corners();
+  find_optimum();
+  if (!is_surely_shorter()) return false;
+  std::size_t used = 0;
+  rebuild(0, corners_.size() - 1, boundary_.back(), used);
+  return true;
+}
+
+void PatchPolygon::measure_corners() {
+  const std::size_t size = corners_.size();
+  distances_.resize(size * size);
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = i + 1; j < size; ++j) distances_[at(i, j)] = distance(corner(i), corner(j));
+  }
+}
+
+// Interval dynamic programming: G. T. Klincsek, "Minimal triangulations of polygonal domains", Annals of Discrete
+// Mathematics 9 (1980); P. D. Gilbert, "New results on planar triangulations", 1979.
+void PatchPolygon::find_optimum() {
+  const std::size_t size = corners_.size();
+  costs_.resize(size * size);
+  apexes_.resize(size * size);
+  for (std::size_t i = 0; i + 1 < size; ++i) costs_[at(i, i + 1)] = 0;
+  for (std::size_t length = 2; length < size; ++length) {
+    for (std::size_t i = 0; i + length < size; ++i) find_best_apex(i, i + length);
+  }
+}
+
+void PatchPolygon::find_best_apex(std::size_t i, std::size_t j) {
+  double best = std::numeric_limits<double>::infinity();
+  std::size_t apex = i;
+  for (std::size_t m = i + 1; m < j; ++m) {
+    const double cost = costs_[at(i, m)] + costs_[at(m, j)];
+    if (cost < best && orientation(corner(i), corner(m), corner(j)) > 0) {
+      best = cost;
+      apex = m;
+    }
+  }
+  const bool is_boundary = i == 0 && j + 1 == corners_.size();
+  costs_[at(i, j)] = is_boundary ? best : best + distances_[at(i, j)];
+  apexes_[at(i, j)] = apex;
+}
+
+// Floating point first: both sums have fewer than 2^7 terms and err by less than 2^-44 of themselves. Else
+// double-double.
+bool PatchPolygon::is_surely_shorter() const {
+  const double optimum = costs_[at(0, corners_.size() - 1)];
+  double present = 0;
+  for (const MeshEdge e : inner_)
+    present += distance(mesh_.point(mesh_.origin(2 * e)), mesh_.point(mesh_.target(2 * e)));
+  if (optimum < present * (1 - 0x1p-42)) return true;
+  if (!(optimum < present * (1 + 0x1p-42))) return false;
+  std::vector<Edge> chords;
+  collect_chords(0, corners_.size() - 1, chords);
+  DoubleDouble gain;
+  for (const MeshEdge e : inner_) gain += length(mesh_.point(mesh_.origin(2 * e)), mesh_.point(mesh_.target(2 * e)));
+  for (const Edge& chord : chords) gain += -length(mesh_.point(chord.a), mesh_.point(chord.b));
+  // Fewer than 2^8 terms and partial sums, none above 2 `present`, each off by at most 2^-97 of that.
+  return gain.high > 0x1p-80 * present;
+}
+
+// The chords of the optimum inside corners i .. j, without (i, j) itself.
+void PatchPolygon::collect_chords(std::size_t i, std::size_t j, std::vector<Edge>& chords) const {
+  if (j - i < 2) return;
+  const std::size_t m = apexes_[at(i, j)];
+  if (m - i > 1) chords.push_back({corners_[i], corners_[m]});
+  if (j - m > 1) chords.push_back({corners_[m], corners_[j]});
+  collect_chords(i, m, chords);
+  collect_chords(m, j, chords);
+}
+
+// Links the optimum's triangles inside corners i .. j; `base` goes from j to i. Edges inside are used again.
+void PatchPolygon::rebuild(std::size_t i, std::size_t j, Halfedge base, std::size_t& used) {
+  const std::size_t m = apexes_[at(i, j)];
+  const auto side = [&](std::size_t from, std::size_t to) {
+    if (to - from == 1) return boundary_[from];
+    const MeshEdge e = inner_[used++];
+    mesh_.set_edge(e, corners_[from], corners_[to]);
+    rebuild(from, to, 2 * e + 1, used);
+    return 2 * e;
+  };
+  const Halfedge first = side(i, m);
+  const Halfedge second = side(m, j);
+  mesh_.link_triangle(base, first, second);
+}
+
+}  // namespace mwt
