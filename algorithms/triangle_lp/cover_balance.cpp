@@ -9,52 +9,19 @@ namespace mwt {
 
 namespace {
 
-constexpr std::size_t kMostSweeps = 1000;
-constexpr std::size_t kMostVisits = 400'000'000;  // of columns, in all sweeps together
-constexpr double kNegligibleGain = 1e-6;          // per sweep, relative
+constexpr std::size_t kMostSweeps = 20'000;
+constexpr std::size_t kMostVisits = 1'000'000'000;  // of columns, in all sweeps together
+constexpr double kNegligibleGain = 1e-6;            // per sweep, relative
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// A flow of credit outwards from `origin`, in the model's unit of length: through side ab goes what the triangle
-// (origin, a, b) needs, so that every triangle keeps its own need.
-class AreaFlow {
- public:
-  AreaFlow(const CoverModel& model, Points points)
-      : model_(model), points_(points), origin_(points[model.edges[0].a]) {}
-
-  /// Twice the signed area of the triangle (origin, from, to).
-  [[nodiscard]] double through(Side side) const {
-    const Edge& edge = model_.edges[edge_of(side)];
-    const Point a = relative(points_[edge.a]), b = relative(points_[edge.b]);
-    const double area = a.x * b.y - a.y * b.x;
-    return side == forward_side(edge_of(side)) ? area : -area;
-  }
-
-  [[nodiscard]] double through_boundary() const {
-    double area = 0;
-    for (Side side = 0; side < model_.on_boundary.size(); ++side) {
-      if (model_.on_boundary[side]) area += through(side);
-    }
-    return area;
-  }
-
- private:
-  [[nodiscard]] Point relative(const Point& p) const {
-    return {std::ldexp(p.x - origin_.x, -model_.exponent), std::ldexp(p.y - origin_.y, -model_.exponent)};
-  }
-
-  const CoverModel& model_;
-  Points points_;
-  Point origin_;
-};
 
 // The columns at every side, and their reduced costs, kept up to date.
 class SideBalance {
  public:
-  explicit SideBalance(const CoverModel& model)
-      : model_(model), first_(model.side_cost.size() + 1, 0), credit_(model.side_cost.size(), 0) {
+  SideBalance(const CoverModel& model, CoverCredits& credits)
+      : model_(model), credit_(credits.of_side), first_(model.side_cost.size() + 1, 0) {
     for (const auto& column : model.columns) {
-      reduced_.push_back(model.cost(column));
+      reduced_.push_back(reduced_cost(model, credits, column));
       for (const Side side : column.sides) ++first_[side + 1];
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
@@ -78,10 +45,18 @@ class SideBalance {
       }
       return;
     }
-    const double moved = 0.5 * (least_at(forward) - least_at(backward));
-    if (!std::isfinite(moved)) return;  // no triangle on one side: no cover uses the edge
-    add_credit(forward, moved);
-    add_credit(backward, -moved);
+    const double least_forward = least_at(forward), least_backward = least_at(backward);
+    const bool both_sides_live = least_forward < kInfinity && least_backward < kInfinity;
+    if (both_sides_live) {
+      const double moved = 0.5 * (least_forward - least_backward);
+      add_credit(forward, moved);
+      add_credit(backward, -moved);
+    } else if (least_forward < model_.largest_cover_cost || least_backward < model_.largest_cover_cost) {
+      // No cover uses the edge: price its triangles out.
+      const double moved = (least_forward < kInfinity ? -1 : 1) * 2 * model_.largest_cover_cost;
+      add_credit(forward, moved);
+      add_credit(backward, -moved);
+    }
   }
 
   [[nodiscard]] double boundary_credit() const {
@@ -90,13 +65,11 @@ class SideBalance {
     return total;
   }
 
-  // Opposite sides' credits are exact negatives only without the rounding of many small steps.
-  [[nodiscard]] CoverCredits credits() const {
-    CoverCredits result{credit_, std::vector<EdgeDecision>(model_.edges.size(), EdgeDecision::open)};
+  // Opposite sides' credits are exact negatives but for the rounding of many small steps.
+  void make_opposite() {
     for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) {
-      if (model_.is_inner(edge)) result.of_side[forward_side(edge)] = -result.of_side[backward_side(edge)];
+      if (model_.is_inner(edge)) credit_[forward_side(edge)] = -credit_[backward_side(edge)];
     }
-    return result;
   }
 
  private:
@@ -107,23 +80,11 @@ class SideBalance {
   }
 
   const CoverModel& model_;
+  std::vector<double>& credit_;
   std::vector<std::uint32_t> first_;  // columns at side s: columns_[first_[s]] .. columns_[first_[s + 1]]
   std::vector<std::uint32_t> columns_;
   std::vector<double> reduced_;
-  std::vector<double> credit_;
 };
-
-// Credit in proportion to area, as much in all as the known cover costs.
-void add_area_flow(const CoverModel& model, const TriangleCoverProblem& problem, double cover_cost,
-                   SideBalance& balance) {
-  const AreaFlow flow(model, problem.points);
-  constexpr double kSmallestArea = 1e-13;  // below, rounding errors of single areas would matter
-  const double area = flow.through_boundary();
-  if (area < kSmallestArea || !std::isfinite(area)) return;
-  for (Side side = 0; side < model.side_cost.size(); ++side) {
-    balance.add_credit(side, flow.through(side) * (cover_cost / area));
-  }
-}
 
 std::vector<std::uint32_t> edges_by_length(const CoverModel& model) {
   std::vector<std::uint32_t> order(model.edges.size());
@@ -136,9 +97,9 @@ std::vector<std::uint32_t> edges_by_length(const CoverModel& model) {
 
 }  // namespace
 
-CoverCredits balanced_credits(const CoverModel& model, const TriangleCoverProblem& problem, double cover_cost) {
-  SideBalance balance(model);
-  add_area_flow(model, problem, cover_cost, balance);
+void balance_credits(const CoverModel& model, CoverCredits& credits,
+                     const std::optional<std::chrono::steady_clock::time_point>& deadline) {
+  SideBalance balance(model, credits);
   std::vector<std::uint32_t> order = edges_by_length(model);
   double last = balance.boundary_credit();
   const std::size_t sweeps = std::min(kMostSweeps, kMostVisits / (model.columns.size() + 1));
@@ -146,11 +107,11 @@ CoverCredits balanced_credits(const CoverModel& model, const TriangleCoverProble
     for (const std::uint32_t edge : order) balance.balance(edge);
     std::reverse(order.begin(), order.end());  // news travels both ways
     const double credit = balance.boundary_credit();
-    const bool late = problem.deadline && std::chrono::steady_clock::now() >= *problem.deadline;
+    const bool late = deadline && std::chrono::steady_clock::now() >= *deadline;
     if (late || std::abs(credit - last) <= kNegligibleGain * credit) break;
     last = credit;
   }
-  return balance.credits();
+  balance.make_opposite();
 }
 
 }  // namespace mwt

@@ -5,16 +5,14 @@
 
 namespace mwt {
 
-/// Credits under which few triangles have a small reduced cost and few a negative one: usually within a few per cent of
-/// the best dual solution. Only a starting point, so rounding does no harm.
+/// Improves credits until few triangles have a small reduced cost and few a negative one: usually to within a few per
+/// cent of the best dual solution. Only a starting point, so rounding does no harm. All edges must be open.
 ///
 /// Block-coordinate dual ascent: every inner edge moves credit from one of its sides to the other until the least
-/// reduced costs on both sides are equal; every boundary edge takes what its triangle can still give. It begins with
-/// `cover_cost`, the cost of a known cover or 0, spread over the triangles in proportion to their areas, so that little
-/// is left to travel from the boundary inwards.
+/// reduced costs on both sides are equal; every boundary edge takes what its triangle can still give.
 ///
-/// O(columns) per sweep over the edges, a thousand sweeps at most. Deterministic, except for the deadline.
-[[nodiscard]] CoverCredits balanced_credits(const CoverModel& model, const TriangleCoverProblem& problem,
-                                            double cover_cost);
+/// O(columns) per sweep over the edges, at most 20,000 sweeps and 10^9 columns. Deterministic, except for the deadline.
+void balance_credits(const CoverModel& model, CoverCredits& credits,
+                     const std::optional<std::chrono::steady_clock::time_point>& deadline);
 
 }  // namespace mwt

@@ -147,6 +147,10 @@ double reduced_cost(const CoverModel& model, const CoverCredits& credits, const 
   return precise_reduced_cost(model, credits, column).sum.high;
 }
 
+double least_reduced_cost(const CoverModel& model, const CoverCredits& credits, const CoverModel::Column& column) {
+  return precise_reduced_cost(model, credits, column).lower(kDoubleDoubleSumError);
+}
+
 CoverPricing price(const CoverModel& model, const CoverCredits& credits) {
   CoverPricing result;
   const PricingFilter filter(model, credits);

@@ -56,6 +56,10 @@ struct CoverCredits {
 [[nodiscard]] double reduced_cost(const CoverModel& model, const CoverCredits& credits,
                                   const CoverModel::Column& column);
 
+/// The same rounded down, certified.
+[[nodiscard]] double least_reduced_cost(const CoverModel& model, const CoverCredits& credits,
+                                        const CoverModel::Column& column);
+
 struct PricedColumn {
   std::uint32_t column;
   double reduced_cost;  ///< negative

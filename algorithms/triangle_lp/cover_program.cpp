@@ -172,14 +172,14 @@ bool CoverProgram::add_violated_columns(std::vector<PricedColumn> violated) {
   return kept > 0;
 }
 
-double CoverProgram::solve(double enough) {
-  double best = 0;
+double CoverProgram::solve(double enough, int most_rounds) {
+  double best = std::max(0.0, price(model_, credits_).lower);  // all there is if the deadline is near
   double last_gap = std::numeric_limits<double>::infinity();
   int rounds_without_gain = 0;
   double scale = 1;
   Method method = Method::dual;
   pricing_ = {};
-  while (optimise(method, scale)) {
+  for (int round = 0; round < most_rounds && optimise(method, scale); ++round) {
     pricing_ = price(model_, credits_);
     best = std::max(best, pricing_.lower);
     const double value = primal_value();
@@ -228,12 +228,15 @@ std::optional<std::uint32_t> CoverProgram::fractional_edge() const {
   constexpr double kReadingError = 1e-6;  // a use this near to 0 or 1 is taken for that; cover() then verifies
   const std::vector<double> use = edge_use();
   std::optional<std::uint32_t> best;
-  double best_distance = 0.5 - kReadingError;
+  double best_merit = 0;
   for (std::uint32_t edge = 0; edge < use.size(); ++edge) {
-    const double distance = std::abs(use[edge] - 0.5);
-    if (!model_.is_inner(edge) || credits_.decisions[edge] != EdgeDecision::open || distance >= best_distance) continue;
-    best = edge;
-    best_distance = distance;
+    const double fraction = std::min(use[edge], 1 - use[edge]);
+    if (!model_.is_inner(edge) || credits_.decisions[edge] != EdgeDecision::open || fraction < kReadingError) continue;
+    const double merit = fraction * model_.side_cost[forward_side(edge)].high;
+    if (merit > best_merit) {
+      best = edge;
+      best_merit = merit;
+    }
   }
   return best;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,13 +29,13 @@ class CoverProgram {
   void decide(std::uint32_t edge, EdgeDecision decision);
 
   /// Solves the relaxation and returns a certified lower bound on all covers that obey the decisions, in the model's
-  /// unit. Stops as soon as the bound reaches `enough`.
+  /// unit. Stops as soon as the bound reaches `enough`, and after `most_rounds` programs.
   ///
   /// Column generation and the refinement of the dual values are one loop: all columns are priced with certified
   /// arithmetic; violated ones join; then the reduced costs, multiplied so that the worst becomes about -1, are the
   /// next objective, and its duals improve the credits by that much smaller steps (A. M. Gleixner, D. E. Steffy, K.
   /// Wolter, "Iterative refinement for linear programming", INFORMS Journal on Computing 28, 2016).
-  [[nodiscard]] double solve(double enough);
+  [[nodiscard]] double solve(double enough, int most_rounds = std::numeric_limits<int>::max());
 
   /// Whether the last solve() ended with a solution; otherwise numerical trouble or the deadline prevented it.
   [[nodiscard]] bool solved() const { return solved_; }

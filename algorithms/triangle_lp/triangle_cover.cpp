@@ -6,6 +6,7 @@
 #include <set>
 
 #include "algorithms/triangle_lp/cover_balance.h"
+#include "algorithms/triangle_lp/cover_flow.h"
 #include "algorithms/triangle_lp/cover_model.h"
 #include "algorithms/triangle_lp/cover_program.h"
 #include "geometry/weight.h"
@@ -17,6 +18,8 @@ namespace {
 constexpr double kProvedWidth = 1e-12;
 // A branch whose bound is this near to the best cover, relatively, can be left: the interval stays within kProvedWidth.
 constexpr double kPruningGap = 2e-13;
+// So few columns need no selection.
+constexpr std::size_t kFew = 500;
 
 std::vector<Edge> undirected(std::span<const Edge> edges) {
   std::vector<Edge> result;
@@ -40,22 +43,6 @@ Interval weight_of_cover(Points points, const std::vector<Triangle>& triangles) 
   return total_length(points, undirected(sides));
 }
 
-// Columns to begin with: the known cover and those of least reduced cost.
-std::vector<std::uint32_t> first_columns(const CoverModel& model, const CoverCredits& credits,
-                                         std::span<const Triangle> start) {
-  const std::set<Triangle> known(start.begin(), start.end());
-  std::vector<std::uint32_t> columns;
-  std::vector<std::pair<double, std::uint32_t>> ranked;
-  for (std::uint32_t c = 0; c < model.columns.size(); ++c) {
-    if (known.contains(model.columns[c].triangle)) columns.push_back(c);
-    ranked.push_back({reduced_cost(model, credits, model.columns[c]), c});
-  }
-  const auto wanted = std::min(std::max<std::size_t>(500, 10 * model.triangle_count), ranked.size());
-  std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
-  for (std::size_t i = 0; i < wanted; ++i) columns.push_back(ranked[i].second);
-  return columns;
-}
-
 // Depth-first search over decisions on edges that the relaxation uses in part.
 class CoverSearch {
  public:
@@ -63,13 +50,17 @@ class CoverSearch {
       : problem_(problem),
         model_(problem),
         best_(known_cover(problem)),
-        credits_(balanced_credits(model_, problem, cost_of_start())),
-        program_(model_, credits_, first_columns(model_, credits_, problem.start), problem.deadline) {}
+        credits_(credits_of_cover(model_, problem.points, problem.start)) {}
 
   TriangleCover run() {
     const double certain = total_length(problem_.points, undirected(problem_.boundary)).lower;
-    best_.optimum.lower = std::min(std::max(certain, in_original_unit(explore(0))), best_.optimum.upper);
-    best_.programs = program_.programs();
+    reduce();
+    if (lower_ < enough() && !past_deadline()) {
+      program_.emplace(model_, credits_, promising_columns(10), problem_.deadline);
+      lower_ = explore(lower_);
+      best_.programs += program_->programs();
+    }
+    best_.optimum.lower = std::min(std::max(certain, in_original_unit(lower_)), best_.optimum.upper);
     best_.proved = !best_.triangles.empty() && !best_.stopped_early && best_.optimum.relative_width() <= kProvedWidth;
     return std::move(best_);
   }
@@ -83,21 +74,19 @@ class CoverSearch {
     return known;
   }
 
-  [[nodiscard]] double cost_of_start() const {
-    return best_.triangles.empty() ? 0 : std::ldexp(best_.optimum.upper, -model_.exponent);
-  }
-
   // Rounded down where the result is too small to be represented exactly.
   [[nodiscard]] double in_original_unit(double lower) const {
     const double result = std::ldexp(lower, model_.exponent);
     return std::ldexp(result, -model_.exponent) == lower ? result : next_down(result);
   }
 
-  // A lower bound that makes a branch useless, in the model's unit.
-  [[nodiscard]] double enough() const {
-    if (best_.triangles.empty()) return model_.largest_cover_cost;
-    return std::ldexp(best_.optimum.upper, -model_.exponent) * (1 - kPruningGap);
+  // What the best known cover costs at most, or any cover if none is known, in the model's unit.
+  [[nodiscard]] double upper() const {
+    return best_.triangles.empty() ? model_.largest_cover_cost : std::ldexp(best_.optimum.upper, -model_.exponent);
   }
+
+  // A lower bound that makes a branch useless.
+  [[nodiscard]] double enough() const { return upper() * (1 - kPruningGap); }
 
   bool past_deadline() {
     if (problem_.deadline && std::chrono::steady_clock::now() >= *problem_.deadline) best_.stopped_early = true;
@@ -111,32 +100,88 @@ class CoverSearch {
     best_.triangles = std::move(triangles);
   }
 
+  // Drops columns that only covers no lighter than the best known one have, as long as that helps. Bounds from here on
+  // are bounds on what the other covers cost: the optimum may also be the best known cover.
+  void reduce() {
+    constexpr double kWorthwhile = 0.8;
+    bool shrinking = true;
+    while (shrinking && lower_ < enough() && !past_deadline()) {
+      const std::size_t before = model_.columns.size();
+      balance_credits(model_, credits_, problem_.deadline);
+      lower_ = std::max(lower_, price(model_, credits_).lower);
+      if (before <= kFew) return;
+      find_restricted_covers();
+      drop_useless_columns();
+      shrinking = static_cast<double>(model_.columns.size()) < kWorthwhile * static_cast<double>(before);
+    }
+  }
+
+  // Solves the program over more and more of the promising columns until a cover is found that is nearly optimal.
+  void find_restricted_covers() {
+    constexpr double kNearly = 1e-4;
+    for (std::size_t per_triangle = 10; per_triangle <= 80 && !past_deadline(); per_triangle *= 2) {
+      CoverProgram restricted(model_, credits_, promising_columns(per_triangle), problem_.deadline);
+      lower_ = std::max(lower_, restricted.solve(enough(), 1));
+      best_.programs += restricted.programs();
+      if (!restricted.solved()) return;
+      if (auto cover = restricted.cover()) keep_if_lightest(std::move(*cover));
+      const bool has_all = per_triangle * model_.triangle_count >= model_.columns.size();
+      if (has_all || enough() - lower_ <= kNearly * enough()) return;
+    }
+  }
+
+  // A cover with column c costs at least what all covers cost plus c's reduced cost.
+  void drop_useless_columns() {
+    const double enough_reduced_cost = next_up(upper() - price(model_, credits_).lower);
+    std::erase_if(model_.columns, [&](const CoverModel::Column& column) {
+      return least_reduced_cost(model_, credits_, column) >= enough_reduced_cost;
+    });
+  }
+
+  // Columns for a restricted program: the best known cover and those whose reduced cost is the smallest part of their
+  // cost. Relative, or a dense cluster's triangles would leave no place to others.
+  [[nodiscard]] std::vector<std::uint32_t> promising_columns(std::size_t per_triangle) const {
+    const std::set<Triangle> known(best_.triangles.begin(), best_.triangles.end());
+    std::vector<std::uint32_t> columns;
+    std::vector<std::pair<double, std::uint32_t>> ranked;
+    for (std::uint32_t c = 0; c < model_.columns.size(); ++c) {
+      const CoverModel::Column& column = model_.columns[c];
+      if (known.contains(column.triangle)) columns.push_back(c);
+      ranked.push_back({reduced_cost(model_, credits_, column) / model_.cost(column), c});
+    }
+    const auto wanted = std::min(std::max(kFew, per_triangle * model_.triangle_count), ranked.size());
+    std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
+    for (std::size_t i = 0; i < wanted; ++i) columns.push_back(ranked[i].second);
+    return columns;
+  }
+
   // The lower bound of all covers that obey the decisions taken; `known` is one.
   double explore(double known) {
-    if (past_deadline()) return known;
-    const double lower = std::max(known, program_.solve(enough()));
-    if (lower >= enough() || !program_.solved() || past_deadline()) return lower;
-    if (auto cover = program_.cover()) {
+    if (known >= enough() || past_deadline()) return known;
+    const double lower = std::max(known, program_->solve(enough()));
+    if (past_deadline() || lower >= enough() || !program_->solved()) return lower;
+    if (auto cover = program_->cover()) {
       keep_if_lightest(std::move(*cover));
       return lower;
     }
-    const auto edge = program_.fractional_edge();
+    const auto edge = program_->fractional_edge();
     if (!edge) return lower;  // numerical trouble: the interval stays wide
     ++best_.branchings;
     double lowest = std::numeric_limits<double>::infinity();
     for (const EdgeDecision decision : {EdgeDecision::in, EdgeDecision::out}) {
-      program_.decide(*edge, decision);
+      program_->decide(*edge, decision);
       lowest = std::min(lowest, explore(lower));
     }
-    program_.decide(*edge, EdgeDecision::open);
+    program_->decide(*edge, EdgeDecision::open);
     return lowest;
   }
 
   const TriangleCoverProblem& problem_;
-  const CoverModel model_;
+  CoverModel model_;
   TriangleCover best_;
-  const CoverCredits credits_;  // to begin with
-  CoverProgram program_;
+  CoverCredits credits_;  // to begin with
+  double lower_ = 0;      // certified, in the model's unit
+  std::optional<CoverProgram> program_;
 };
 
 }  // namespace

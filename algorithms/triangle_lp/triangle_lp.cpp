@@ -59,7 +59,7 @@ AlgorithmInfo triangle_lp_entry() {
   info.time = "a few linear programs of O(n^2) rows; exponential in the worst case";
   info.space = "O(n^3), O(n^2) for uniform points";
   info.exactness = Exactness::exact;
-  info.largest_n = 200;
+  info.largest_n = 150;
   info.parameters = {{"max_points", ParameterType::integer, "400", "largest number of points it takes"}};
   info.function = solve_triangle_program;
   return info;

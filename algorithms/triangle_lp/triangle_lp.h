@@ -10,11 +10,18 @@ namespace mwt {
 /// starts and what it returns when the deadline leaves no time for better.
 ///
 /// Parameters: max_points.
+///
 /// Preconditions: at least 3 distinct points, not all collinear; NotApplicable beyond max_points.
+///
 /// Solution::optimum is always certified; of relative width 1e-12 or less unless the deadline or numerical trouble
-/// intervened. Ties: whichever optimum the simplex method meets; deterministic without a deadline. Time: polynomial
-/// while the relaxation is integral, as it nearly always is. Uniform points: 0.1 s for n = 100, 1 s for n = 200. Space:
-/// O(number of empty triangles), up to n^3 / 6 in convex position.
+/// intervened.
+///
+/// Ties: whichever optimum the simplex method meets; deterministic without a deadline.
+///
+/// Time: polynomial while the relaxation is integral, as it nearly always is. Uniform points: 0.1 s for n = 100, 0.7 s
+/// for n = 200. Circles and wheels of 100 points take seconds, a greedy corridor minutes: their optima are nearly tied.
+///
+/// Space: O(number of empty triangles), up to n^3 / 6 in convex position.
 [[nodiscard]] Solution solve_triangle_program(Points points, Context& context);
 
 [[nodiscard]] AlgorithmInfo triangle_lp_entry();
