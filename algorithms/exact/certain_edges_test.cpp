@@ -221,7 +221,7 @@ TEST(CertainEdges, DropTheFartherOfTwoNeighboursInOneDirection) {
       if (b == v) star.target()[star.count++] = a;
     }
   }
-  const CandidateGraph graph = mark_certain_edges(points, table);
+  const CandidateGraph graph = mark_certain_edges(points, table, Context{});
   expect_properties(graph);
   const std::vector<Edge> expected{{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 3}, {2, 4}, {3, 4}};
   EXPECT_EQ(edges_of_graph(graph, false), expected);
