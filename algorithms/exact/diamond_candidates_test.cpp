@@ -1,4 +1,5 @@
 #include "algorithms/exact/diamond_candidates.h"
+#include "algorithms/exact/search_stopped.h"
 
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>

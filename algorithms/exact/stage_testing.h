@@ -62,7 +62,7 @@ inline LmtSkeleton lmt_skeleton(const KdOrder& order) {
 }
 
 inline CandidateGraph candidate_graph(const KdOrder& order) {
-  return mark_certain_edges(order.points, lmt_skeleton(order).stars);
+  return mark_certain_edges(order.points, lmt_skeleton(order).stars, Context{});
 }
 
 inline std::set<Edge> edges_in(const CandidateBlocks& blocks) {
