@@ -12,6 +12,7 @@ using namespace std::chrono_literals;
 constexpr std::chrono::steady_clock::duration kTerminalInterval = 100ms;
 constexpr std::chrono::steady_clock::duration kPlainInterval = 5s;
 constexpr const char* kClearLine = "\r\x1b[K";
+constexpr std::size_t kTerminalWidth = 79;  // a line that wraps could not be rewritten
 
 }  // namespace
 
@@ -47,7 +48,11 @@ void Progress::finish() {
 
 void Progress::show() {
   last_shown_ = Clock::now();
-  out_ << (is_terminal_ ? kClearLine : "") << status() << (is_terminal_ ? "" : "\n") << std::flush;
+  if (is_terminal_) {
+    out_ << kClearLine << status().substr(0, kTerminalWidth) << std::flush;
+  } else {
+    out_ << status() << '\n' << std::flush;
+  }
 }
 
 std::string Progress::status() const {

@@ -20,6 +20,13 @@
 
 namespace mwt::testing {
 
+/// The address sanitizer's allocator keeps freed memory and ends the process where others say that none is left.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool kUsualAllocator = false;
+#else
+inline constexpr bool kUsualAllocator = true;
+#endif
+
 /// A new folder, removed with everything in it when the test ends.
 class TemporaryFolder {
  public:

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "algorithms/flip/flip.h"
+#include "algorithms/mesh/distance.h"
 #include "algorithms/start/start.h"
 #include "geometry/error.h"
 #include "geometry/weight.h"
@@ -14,21 +15,19 @@ namespace mwt {
 
 namespace {
 
-double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
-
 double mean_edge_length(const PlanarMesh& mesh) {
   double sum = 0;
   const auto count = static_cast<double>(mesh.edge_count());
   for (MeshEdge e = 0; e < mesh.edge_count(); ++e) {
-    sum += distance(mesh.point(mesh.origin(2 * e)), mesh.point(mesh.target(2 * e))) / count;
+    sum += rounded_distance(mesh.point(mesh.origin(2 * e)), mesh.point(mesh.target(2 * e))) / count;
   }
   return sum;
 }
 
 double change_by_flip(const PlanarMesh& mesh, MeshEdge e) {
   const Halfedge h = 2 * e;
-  return distance(mesh.point(mesh.apex(h)), mesh.point(mesh.apex(h + 1))) -
-         distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
+  return rounded_distance(mesh.point(mesh.apex(h)), mesh.point(mesh.apex(h + 1))) -
+         rounded_distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
 }
 
 AnnealingOptions options_of(const Parameters& parameters, const PlanarMesh& mesh, std::uint64_t seed) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "algorithms/exact/search_stopped.h"
 #include "geometry/predicates.h"
 #include "geometry/triangulation.h"
 
@@ -41,7 +42,8 @@ class ByDirection {
 
 class Marking {
  public:
-  Marking(Points points, const StarTable& stars) : graph_{points, {}, {}, {}}, stars_(stars.stars) {}
+  Marking(Points points, const StarTable& stars, const Context& context)
+      : graph_{points, {}, {}, {}}, stars_(stars.stars), context_(context) {}
 
   CandidateGraph run() {
     make_rows();
@@ -138,6 +140,10 @@ class Marking {
   }
 
   void mark_edges_from_smaller_end(Index s) {
+    constexpr Index kVerticesPerLookAtTheClock = 64;
+    if (s % kVerticesPerLookAtTheClock == 0 && context_.deadline_passed()) {
+      throw SearchStopped("the deadline passed while marking certain edges");
+    }
     for (std::uint32_t i = graph_.first[s]; i < graph_.first[s + std::size_t{1}]; ++i) {
       const Index t = graph_.target[i];
       if (s < t && is_certain(s, t)) graph_.certain[i] = 1;
@@ -156,12 +162,15 @@ class Marking {
 
   CandidateGraph graph_;
   const std::vector<Star>& stars_;
+  const Context& context_;
   std::mutex hidden_mutex_;
   std::vector<Edge> hidden_;  // edges through another point
 };
 
 }  // namespace
 
-CandidateGraph mark_certain_edges(Points points, const StarTable& stars) { return Marking(points, stars).run(); }
+CandidateGraph mark_certain_edges(Points points, const StarTable& stars, const Context& context) {
+  return Marking(points, stars, context).run();
+}
 
 }  // namespace mwt

@@ -1,6 +1,7 @@
 // Third stage of the exact solver: sorts the surviving edges around their vertices and marks those that are certain.
 #pragma once
 
+#include "algorithms/algorithm.h"
 #include "algorithms/exact/candidate_graph.h"
 #include "algorithms/exact/stars.h"
 
@@ -15,6 +16,7 @@ namespace mwt {
 ///
 /// Exact. O(sum of squared degrees). Runs on the threads of the enclosing task arena; the result does not depend on
 /// them.
-[[nodiscard]] CandidateGraph mark_certain_edges(Points points, const StarTable& stars);
+/// Throws SearchStopped (search_stopped.h) after the context's deadline.
+[[nodiscard]] CandidateGraph mark_certain_edges(Points points, const StarTable& stars, const Context& context);
 
 }  // namespace mwt

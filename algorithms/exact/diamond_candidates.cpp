@@ -12,6 +12,7 @@
 #include <string>
 
 #include "algorithms/exact/near_points.h"
+#include "algorithms/exact/search_stopped.h"
 
 namespace mwt {
 

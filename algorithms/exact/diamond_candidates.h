@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "algorithms/algorithm.h"
@@ -24,12 +23,6 @@ struct CandidateBlocks {
   [[nodiscard]] std::uint32_t block_count() const { return static_cast<std::uint32_t>(inner.size()); }
 };
 
-/// Too many edges pass the diamond test for the memory that a solver may reasonably take, or the deadline has passed.
-class SearchStopped : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Finds a superset of the edges of every minimum weight triangulation (up to edges through a point, see below):
 /// about 11.6 edges per uniformly distributed point.
 ///
@@ -47,7 +40,7 @@ class DiamondTest {
   /// The points that may lie on the convex hull's boundary: those with a direction that nothing nearby blocks.
   [[nodiscard]] std::vector<Index> possible_hull_points() const;
 
-  /// Throws SearchStopped after the context's deadline, or when the edges exceed max(10^8, 64 n).
+  /// Throws SearchStopped (search_stopped.h) after the context's deadline, or when the edges exceed max(10^8, 64 n).
   [[nodiscard]] CandidateBlocks find_candidates(const Context& context) const;
 
  private:

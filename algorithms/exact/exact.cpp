@@ -11,6 +11,7 @@
 #include "algorithms/exact/face_solver.h"
 #include "algorithms/exact/kd_order.h"
 #include "algorithms/exact/lmt_skeleton.h"
+#include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "geometry/convex_hull.h"
 
@@ -70,7 +71,7 @@ class ExactSolver {
   CandidateGraph candidates_of(const LmtSkeleton& skeleton) {
     report_stage("certain edges", 0.8);
     const ScopedPhase phase(context_, "certain_edges");
-    CandidateGraph graph = mark_certain_edges(order_.points, skeleton.stars);
+    CandidateGraph graph = mark_certain_edges(order_.points, skeleton.stars, context_);
     std::size_t certain = 0;
     for (const std::uint8_t mark : graph.certain) certain += mark;
     counters_["edges_after_lmt"] = static_cast<double>(graph.target.size() / 2);

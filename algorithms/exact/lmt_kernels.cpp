@@ -43,16 +43,23 @@ HWY_INLINE std::uint32_t position_of(const Star& star, Index target) {
 
 // Third corners of candidate triangles on one side of an edge s -> o, relative to s.
 struct Apexes {
+  enum class Triangle : std::uint8_t { not_looked_at, open, blocked };
+
   std::vector<float> x, y;
   std::vector<std::uint32_t> position;  // in the star of s
+  std::vector<Triangle> triangle;       // whether some point is known to lie in the apex's triangle with the edge
   std::uint32_t count = 0;
+  float side = 0;  // +1 left, -1 right
 
-  void reserve(std::size_t size) {
-    if (x.size() < size) {
-      x.resize(size);
-      y.resize(size);
-      position.resize(size);
+  void start(std::size_t room, float on_side) {
+    if (x.size() < room) {
+      x.resize(room);
+      y.resize(room);
+      position.resize(room);
     }
+    triangle.clear();
+    count = 0;
+    side = on_side;
   }
 };
 
@@ -61,9 +68,11 @@ class Deletion {
   Deletion(StarTable& table, Points points, const HullEdges& hull)
       : stars_(table.stars), points_(points), hull_(hull) {}
 
-  LmtCounters run(std::span<const CandidatePair> edges) {
-    for (const auto& [p, q] : edges) {
-      examine(p, q, /*again=*/false);
+  LmtCounters run(std::span<const CandidatePair> edges, const Context& context) {
+    constexpr std::size_t kEdgesPerLookAtTheClock = 256;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (i % kEdgesPerLookAtTheClock == 0 && context.deadline_passed()) break;
+      examine(edges[i].p, edges[i].q, /*again=*/false);
       examine_pending();
     }
     return counters_;
@@ -82,7 +91,7 @@ class Deletion {
     if (hull_.contains(p, q)) return;
     const bool p_is_smaller = stars_[p].count <= stars_[q].count;
     const Index s = p_is_smaller ? p : q, o = p_is_smaller ? q : p;
-    if (stars_[o].count > Star::kMaximumCount) return;
+    if (stars_[s].count > Star::kWorthExamining || stars_[o].count > Star::kMaximumCount) return;
     const std::uint32_t at_s = position_of(stars_[s], o), at_o = position_of(stars_[o], s);
     if (at_s == kNotFound) return;  // deleted meanwhile
     const bool has_certificate =
@@ -146,45 +155,67 @@ class Deletion {
     edge_x_ = star.x()[at_s];
     edge_y_ = star.y()[at_s];
     edge_square_ = edge_x_ * edge_x_ + edge_y_ * edge_y_;
-    collect_apexes(s, o, at_s);
-    if (left_.count == 0 || right_.count == 0) return false;
-    remove_blocked(star, stars_[o], left_, 1.0F);
-    if (left_.count == 0) return false;
-    remove_blocked(star, stars_[o], right_, -1.0F);
-    if (right_.count == 0) return false;
-    return find_pair(left, right);
+    collect_apexes(s, o);
+    return left_.count > 0 && right_.count > 0 && find_pair(star, stars_[o], left, right);
   }
 
   // The common neighbours of both ends, by side.
-  HWY_INLINE void collect_apexes(Index s, Index o, std::uint32_t) {
+  HWY_INLINE void collect_apexes(Index s, Index o) {
     const Star& star = stars_[s];
     const Star& other = stars_[o];
-    const std::size_t room = star.count + 2 * lanes();
-    left_.reserve(room);
-    right_.reserve(room);
-    left_.count = right_.count = 0;
-    const auto ex = hn::Set(kFloat, edge_x_), ey = hn::Set(kFloat, edge_y_);
-    for (std::uint32_t i = 0; i < star.count; i += lanes()) {
-      const auto targets = hn::LoadU(kWord, star.target() + i);
-      auto common = hn::Eq(targets, hn::Set(kWord, other.target()[0]));
-      for (std::uint32_t k = 1; k < other.count; ++k) {
-        common = hn::Or(common, hn::Eq(targets, hn::Set(kWord, other.target()[k])));
+    left_.start(star.count + 2 * lanes(), 1.0F);
+    right_.start(star.count + 2 * lanes(), -1.0F);
+    const bool merging_is_faster = star.count > 128;
+    if (merging_is_faster) {
+      collect_by_merging(s, o);
+    } else {
+      for (std::uint32_t i = 0; i < star.count; i += lanes()) {
+        const auto targets = hn::LoadU(kWord, star.target() + i);
+        auto common = hn::Eq(targets, hn::Set(kWord, other.target()[0]));
+        for (std::uint32_t k = 1; k < other.count; ++k) {
+          common = hn::Or(common, hn::Eq(targets, hn::Set(kWord, other.target()[k])));
+        }
+        common = hn::And(common, first_lanes(star.count - i));
+        if (!hn::AllFalse(kWord, common)) append_by_side(s, o, i, hn::RebindMask(kFloat, common));
       }
-      common = hn::And(common, first_lanes(star.count - i));
-      if (hn::AllFalse(kWord, common)) continue;
-      const auto x = hn::LoadU(kFloat, star.x() + i), y = hn::LoadU(kFloat, star.y() + i);
-      const auto one = hn::Mul(ex, y), two = hn::Mul(ey, x);
-      const auto height = hn::Sub(one, two);
-      const auto margin = hn::Mul(hn::Add(hn::Abs(one), hn::Abs(two)), hn::Set(kFloat, kRounding));
-      const auto is_common = hn::RebindMask(kFloat, common);
-      auto is_left = hn::And(is_common, hn::Gt(height, margin));
-      auto is_right = hn::And(is_common, hn::Lt(height, hn::Neg(margin)));
-      const auto unsure = hn::AndNot(hn::Or(is_left, is_right), is_common);
-      const auto positions = hn::Iota(kWord, i);
-      append(left_, is_left, x, y, positions);
-      append(right_, is_right, x, y, positions);
-      if (!hn::AllFalse(kFloat, unsure)) append_exactly(s, o, i, unsure);
     }
+    left_.triangle.assign(left_.count, Apexes::Triangle::not_looked_at);
+    right_.triangle.assign(right_.count, Apexes::Triangle::not_looked_at);
+  }
+
+  // Both stars are sorted by target.
+  void collect_by_merging(Index s, Index o) {
+    const Star& star = stars_[s];
+    const Star& other = stars_[o];
+    std::uint32_t k = 0;
+    for (std::uint32_t i = 0; i < star.count; i += lanes()) {
+      std::uint64_t common = 0;
+      const std::uint32_t end = std::min(lanes(), star.count - i);
+      for (std::uint32_t lane = 0; lane < end; ++lane) {
+        const Index target = star.target()[i + lane];
+        while (k < other.count && other.target()[k] < target) ++k;
+        if (k < other.count && other.target()[k] == target) common |= std::uint64_t{1} << lane;
+      }
+      if (common == 0) continue;
+      append_by_side(s, o, i, hn::LoadMaskBits(kFloat, reinterpret_cast<const std::uint8_t*>(&common)));
+    }
+  }
+
+  // Files the neighbours in the lanes of `common`, from position i of the star of s on.
+  HWY_INLINE void append_by_side(Index s, Index o, std::uint32_t i, hn::Mask<Float> common) {
+    const Star& star = stars_[s];
+    const auto ex = hn::Set(kFloat, edge_x_), ey = hn::Set(kFloat, edge_y_);
+    const auto x = hn::LoadU(kFloat, star.x() + i), y = hn::LoadU(kFloat, star.y() + i);
+    const auto one = hn::Mul(ex, y), two = hn::Mul(ey, x);
+    const auto height = hn::Sub(one, two);
+    const auto margin = hn::Mul(hn::Add(hn::Abs(one), hn::Abs(two)), hn::Set(kFloat, kRounding));
+    const auto is_left = hn::And(common, hn::Gt(height, margin));
+    const auto is_right = hn::And(common, hn::Lt(height, hn::Neg(margin)));
+    const auto unsure = hn::AndNot(hn::Or(is_left, is_right), common);
+    const auto positions = hn::Iota(kWord, i);
+    append(left_, is_left, x, y, positions);
+    append(right_, is_right, x, y, positions);
+    if (!hn::AllFalse(kFloat, unsure)) append_exactly(s, o, i, unsure);
   }
 
   HWY_INLINE void append(Apexes& apexes, hn::Mask<Float> chosen, hn::Vec<Float> x, hn::Vec<Float> y,
@@ -212,21 +243,22 @@ class Deletion {
     }
   }
 
-  // Drops the apexes whose triangle with the edge certainly has a neighbour of s or of o inside. side: +1 left, -1
-  // right.
-  HWY_INLINE void remove_blocked(const Star& star, const Star& other, Apexes& apexes, float side) {
-    std::uint32_t kept = 0;
-    for (std::uint32_t a = 0; a < apexes.count; ++a) {
-      if (has_point_inside(star, {side * edge_x_, side * edge_y_}, {side * apexes.x[a], side * apexes.y[a]}, side))
-        continue;
-      const std::uint32_t at_o = position_of(other, star.target()[apexes.position[a]]);
-      const Vector seen_from_o{side * other.x()[at_o], side * other.y()[at_o]};
-      if (has_point_inside(other, seen_from_o, {-side * edge_x_, -side * edge_y_}, side)) continue;
-      apexes.x[kept] = apexes.x[a];
-      apexes.y[kept] = apexes.y[a];
-      apexes.position[kept++] = apexes.position[a];
+  // Whether no neighbour of either end is known to lie inside the triangle of the edge and the apex.
+  HWY_INLINE bool is_open(const Star& star, const Star& other, Apexes& apexes, std::uint32_t a) {
+    Apexes::Triangle& known = apexes.triangle[a];
+    if (known == Apexes::Triangle::not_looked_at) {
+      known = is_blocked(star, other, apexes, a) ? Apexes::Triangle::blocked : Apexes::Triangle::open;
     }
-    apexes.count = kept;
+    return known == Apexes::Triangle::open;
+  }
+
+  HWY_INLINE bool is_blocked(const Star& star, const Star& other, const Apexes& apexes, std::uint32_t a) const {
+    const float side = apexes.side;
+    const Vector edge{side * edge_x_, side * edge_y_}, apex{side * apexes.x[a], side * apexes.y[a]};
+    if (has_point_inside(star, edge, apex, side)) return true;
+    const std::uint32_t at_o = position_of(other, star.target()[apexes.position[a]]);
+    const Vector apex_from_o{side * other.x()[at_o], side * other.y()[at_o]};
+    return has_point_inside(other, apex_from_o, {-edge.x, -edge.y}, side);
   }
 
   struct Vector {
@@ -257,7 +289,7 @@ class Deletion {
   }
 
   // A left and a right apex for which the edge is, or may be, locally minimal.
-  HWY_INLINE bool find_pair(std::uint32_t& left, std::uint32_t& right) const {
+  HWY_INLINE bool find_pair(const Star& star, const Star& other, std::uint32_t& left, std::uint32_t& right) {
     const auto ex = hn::Set(kFloat, edge_x_), ey = hn::Set(kFloat, edge_y_);
     const auto rounding = hn::Set(kFloat, kRounding);
     const auto enough = hn::Set(kFloat, edge_square_ * (1 - kRounding));
@@ -277,11 +309,17 @@ class Deletion {
         const auto is_shorter = hn::Lt(diagonal, enough);
         const auto refuses = hn::And(is_convex, is_shorter);
         const auto certifies = hn::AndNot(refuses, hn::RebindMask(kFloat, first_lanes(right_.count - i)));
-        const std::intptr_t lane = hn::FindFirstTrue(kFloat, certifies);
-        if (lane < 0) continue;
-        left = left_.position[a];
-        right = right_.position[i + static_cast<std::uint32_t>(lane)];
-        return true;
+        std::uint64_t bits = 0;
+        hn::StoreMaskBits(kFloat, certifies, reinterpret_cast<std::uint8_t*>(&bits));
+        bits &= (std::uint64_t{1} << lanes()) - 1;
+        if (bits != 0 && !is_open(star, other, left_, a)) break;
+        for (; bits != 0; bits &= bits - 1) {
+          const std::uint32_t r = i + static_cast<std::uint32_t>(__builtin_ctzll(bits));
+          if (!is_open(star, other, right_, r)) continue;
+          left = left_.position[a];
+          right = right_.position[r];
+          return true;
+        }
       }
     }
     return false;
@@ -299,8 +337,8 @@ class Deletion {
 };
 
 LmtCounters DeleteEdgesWithoutCertificate(StarTable& table, Points points, const HullEdges& hull,
-                                          std::span<const CandidatePair> edges) {
-  return Deletion(table, points, hull).run(edges);
+                                          std::span<const CandidatePair> edges, const Context& context) {
+  return Deletion(table, points, hull).run(edges, context);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -313,8 +351,8 @@ namespace mwt {
 HWY_EXPORT(DeleteEdgesWithoutCertificate);
 
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                             std::span<const CandidatePair> edges) {
-  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges);
+                                             std::span<const CandidatePair> edges, const Context& context) {
+  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context);
 }
 
 }  // namespace mwt

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "algorithms/algorithm.h"
 #include "algorithms/exact/diamond_kernels.h"
 #include "algorithms/exact/stars.h"
 
@@ -33,8 +34,9 @@ struct HullEdges {
 /// certainly shorter: the edge is (or may be) locally minimal in it. Only the stars of vertices reached from `edges`
 /// change.
 ///
-/// All decisions are made in floats with error margins; what is uncertain keeps the edge.
+/// All decisions are made in floats with error margins; what is uncertain keeps the edge. After the context's deadline
+/// the remaining edges are kept unexamined.
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                             std::span<const CandidatePair> edges);
+                                             std::span<const CandidatePair> edges, const Context& context);
 
 }  // namespace mwt

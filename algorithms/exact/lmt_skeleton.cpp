@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 #include "algorithms/exact/near_points.h"
+#include "algorithms/exact/search_stopped.h"
 
 namespace mwt {
 
@@ -86,7 +88,7 @@ class LmtStage {
     for (const CandidatePair& pair : low.leaving) (pair.q < end ? between : result.leaving).push_back(pair);
     result.leaving.insert(result.leaving.end(), high.leaving.begin(), high.leaving.end());
     result.counters.add(delete_edges_without_certificate(skeleton_.stars, order_.points, hull_,
-                                                         longest_first(order_.points, scale_, between)));
+                                                         longest_first(order_.points, scale_, between), context_));
     return result;
   }
 
@@ -98,7 +100,7 @@ class LmtStage {
     const auto edges = longest_first(order_.points, scale_, blocks_.inner[block]);
     blocks_.inner[block] = {};
     incoming_[block] = {};
-    result.counters = delete_edges_without_certificate(skeleton_.stars, order_.points, hull_, edges);
+    result.counters = delete_edges_without_certificate(skeleton_.stars, order_.points, hull_, edges, context_);
     compact_stars(node, block);
     result.leaving = std::move(blocks_.outer[block]);
     return result;
@@ -121,12 +123,15 @@ class LmtStage {
       stars[v].words = place;
       place += Star::words_for(stars[v].capacity);
     }
+    // In this order each star's targets ascend, as CandidateBlocks promises.
+    for (const auto& [p, q] : incoming_[block]) append(q, p);
     for (const auto& [p, q] : blocks_.inner[block]) {
       append(p, q);
       append(q, p);
     }
     for (const auto& [p, q] : blocks_.outer[block]) append(p, q);
-    for (const auto& [p, q] : incoming_[block]) append(q, p);
+    assert(std::all_of(stars.begin() + first, stars.begin() + last,
+                       [](const Star& star) { return std::is_sorted(star.target(), star.target() + star.count); }));
     return arena;
   }
 

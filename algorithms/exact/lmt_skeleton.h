@@ -18,7 +18,7 @@ struct LmtSkeleton {
 /// Edges within a block first, longest first, blocks in parallel; then, up the k-d tree, the edges between a node's two
 /// children: an edge touches the stars of its two ends only, so nodes of one level do not disturb each other, and the
 /// result does not depend on the number of threads. Runs on the threads of the enclosing task arena.
-/// Throws SearchStopped after the context's deadline.
+/// Throws SearchStopped (search_stopped.h) after the context's deadline.
 [[nodiscard]] LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, CandidateBlocks blocks,
                                             const Context& context);
 

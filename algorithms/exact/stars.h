@@ -10,13 +10,16 @@
 namespace mwt {
 
 /// One vertex's halfedges as structure of arrays: four rows of `capacity` words, of which the first `count` are in use.
-/// Row 0: the other end. Rows 1, 2: the vector to it (floats, scaled; subtracted in double, so relatively precise at
-/// every distance). Row 3: the edge's certificate, as the positions in this star of its left and right apex (16 bits
-/// each).
+/// Row 0: the other end, ascending. Rows 1, 2: the vector to it (floats, scaled; subtracted in double, so relatively
+/// precise at every distance). Row 3: the edge's certificate, as the positions in this star of its left and right apex
+/// (16 bits each).
 struct Star {
   static constexpr std::uint32_t kNoCertificate = std::numeric_limits<std::uint32_t>::max();
-  static constexpr std::uint32_t kMaximumCount =
-      60000;  ///< positions fit into 16 bits; larger stars are left as they are
+  /// Positions fit into 16 bits; edges at larger stars are left as they are.
+  static constexpr std::uint32_t kMaximumCount = 60000;
+  /// So are edges between two stars larger than this: where long chains face each other nearly every edge has a
+  /// certificate, and looking for them all takes cubic time.
+  static constexpr std::uint32_t kWorthExamining = 512;
 
   std::uint32_t* words = nullptr;
   std::uint32_t count = 0;

@@ -1,9 +1,11 @@
 #include "algorithms/flip/flip.h"
 
 #include <array>
-#include <cmath>
+#include <functional>
 #include <queue>
+#include <utility>
 
+#include "algorithms/mesh/distance.h"
 #include "algorithms/start/start.h"
 #include "geometry/predicates.h"
 
@@ -12,9 +14,7 @@ namespace mwt {
 namespace {
 
 // The distance of two mesh points, for gains only; no decision depends on its rounding.
-double distance(const PlanarMesh& mesh, Index v, Index w) {
-  return std::hypot(mesh.point(v).x - mesh.point(w).x, mesh.point(v).y - mesh.point(w).y);
-}
+double distance(const PlanarMesh& mesh, Index v, Index w) { return rounded_distance(mesh.point(v), mesh.point(w)); }
 
 double gain_of(const PlanarMesh& mesh, MeshEdge e) {
   return distance(mesh, mesh.origin(2 * e), mesh.target(2 * e)) -
@@ -51,10 +51,11 @@ class FlipSearch {
   }
 
   FlipResult best_first() {
-    std::priority_queue<GainAt> queue;
+    std::vector<GainAt> possible;
     for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
-      if (improves(mesh_, e)) queue.push({gain_of(mesh_, e), e});
+      if (improves(mesh_, e)) possible.emplace_back(gain_of(mesh_, e), e);
     }
+    std::priority_queue<GainAt> queue(std::less<GainAt>(), std::move(possible));
     while (!queue.empty() && !out_of_time()) {
       const auto [gain, e] = queue.top();
       queue.pop();

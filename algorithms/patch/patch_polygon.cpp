@@ -1,24 +1,13 @@
 #include "algorithms/patch/patch_polygon.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "algorithms/mesh/distance.h"
 #include "geometry/double_double.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
-
-namespace {
-
-double distance(const Point& p, const Point& q) {
-  const double dx = p.x - q.x, dy = p.y - q.y;
-  const double squared = dx * dx + dy * dy;
-  const bool in_range = squared > 1e-280 && squared < 1e300;
-  return in_range ? std::sqrt(squared) : std::hypot(dx, dy);
-}
-
-}  // namespace
 
 Halfedge PatchPolygon::name_of_triangle(Halfedge side) const {
   return std::min(side, std::min(mesh_.next(side), mesh_.previous(side)));
@@ -79,7 +68,7 @@ void PatchPolygon::measure_corners() {
   const std::size_t size = corners_.size();
   distances_.resize(size * size);
   for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = i + 1; j < size; ++j) distances_[at(i, j)] = distance(corner(i), corner(j));
+    for (std::size_t j = i + 1; j < size; ++j) distances_[at(i, j)] = rounded_distance(corner(i), corner(j));
   }
 }
 
@@ -116,11 +105,18 @@ bool PatchPolygon::is_surely_shorter() const {
   const double optimum = costs_[at(0, corners_.size() - 1)];
   double present = 0;
   for (const MeshEdge e : inner_)
-    present += distance(mesh_.point(mesh_.origin(2 * e)), mesh_.point(mesh_.target(2 * e)));
+    present += rounded_distance(mesh_.point(mesh_.origin(2 * e)), mesh_.point(mesh_.target(2 * e)));
   if (optimum < present * (1 - 0x1p-42)) return true;
   if (!(optimum < present * (1 + 0x1p-42))) return false;
   std::vector<Edge> chords;
   collect_chords(0, corners_.size() - 1, chords);
+  const auto is_present = [&](const Edge& chord) {
+    return std::any_of(inner_.begin(), inner_.end(), [&](MeshEdge e) {
+      return make_edge(mesh_.origin(2 * e), mesh_.target(2 * e)) == make_edge(chord.a, chord.b);
+    });
+  };
+  if (std::all_of(chords.begin(), chords.end(), is_present))
+    return false;  // nothing new: by far the most frequent case
   DoubleDouble gain;
   for (const MeshEdge e : inner_) gain += length(mesh_.point(mesh_.origin(2 * e)), mesh_.point(mesh_.target(2 * e)));
   for (const Edge& chord : chords) gain += -length(mesh_.point(chord.a), mesh_.point(chord.b));

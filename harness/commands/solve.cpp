@@ -1,9 +1,8 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
-#include "geometry/checker.h"
-#include "geometry/error.h"
 #include "geometry/point_file.h"
 #include "geometry/svg.h"
 #include "geometry/triangulation_file.h"
@@ -87,21 +86,24 @@ SolveReport describe(const Request& request, const Instance& instance, const Exe
   return report;
 }
 
-// Combines what the run certified with what was found elsewhere. Contradictions are failures of this program.
+// What two searches say together. A contradiction is a failure of this program.
+std::optional<Interval> combine(const std::optional<Interval>& known, const std::optional<Interval>& bounds) {
+  if (!known || !bounds) return known ? known : bounds;
+  const std::optional<Interval> common = intersection(*known, *bounds);
+  if (!common) throw std::logic_error("the certified optima of two algorithms contradict each other");
+  return common;
+}
+
 void rate(SolveReport& report, const std::optional<Interval>& claimed, const FoundOptimum& found) {
   const WitnessedOptimum own = witnessed_optimum(claimed, *report.weight);
-  if (own.contradiction || found.contradiction) throw std::logic_error("certified bounds contradict each other");
-  report.optimum = own.interval;
-  if (found.interval) {
-    const Interval witnessed{found.interval->lower, std::max(found.interval->upper, found.interval->lower)};
-    report.optimum = own.interval ? intersection(*own.interval, witnessed) : witnessed;
-    if (!report.optimum || report.weight->upper < witnessed.lower) {
-      throw std::logic_error("the certified optima of two algorithms contradict each other");
-    }
-    report.optimum->upper = std::min(report.optimum->upper, report.weight->upper);
+  if (own.contradiction) throw std::logic_error(report.algorithm + " certifies more than its own triangulation weighs");
+  if (found.contradiction) throw std::logic_error(found.note);
+  report.optimum = combine(found.interval, own.interval);
+  if (report.optimum) {
+    report.optimum = combine(report.optimum, Interval{report.optimum->lower, report.weight->upper});
+    report.alpha = alpha_of(*report.weight, *report.optimum);
   }
   report.optimality = name_of(optimality_of(report.optimum));
-  if (report.optimum) report.alpha = alpha_of(*report.weight, *report.optimum);
 }
 
 void write_files(const Options& options, const Instance& instance, const std::vector<Point>& input,
