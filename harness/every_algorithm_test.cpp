@@ -80,7 +80,7 @@ std::vector<std::string> names() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryAlgorithm, testing::ValuesIn(names()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& algorithm) { return algorithm.param; });
 
 }  // namespace
 }  // namespace mwt
