@@ -16,7 +16,8 @@ forbid() {  # forbid PATTERN WHY FILE...
     failed=yes
   fi
 }
-code_of() { find "$1" \( -name '*.h' -o -name '*.cpp' \) ! -name '*_test.cpp'; }
+# What only tests include may look further: x_test.cpp and x_testing.h.
+code_of() { find "$1" \( -name '*.h' -o -name '*.cpp' \) ! -name '*_test.cpp' ! -name '*testing.h'; }
 
 mapfile -t geometry < <(code_of geometry)
 mapfile -t generators < <(code_of generators)
