@@ -30,7 +30,7 @@ TEST(Annealing, EndsAtAValidLocalOptimumNoWorseThanItsStart) {
   for (const Shape& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
-      const Solution solution = solve(points, {{"start", "greedy"}, {"proposals", "20000"}});
+      const Solution solution = solve(points, {{"start", "greedy"}, {"proposals", "5000"}});
       const auto violation = find_violation(points, solution.triangulation);
       EXPECT_FALSE(violation) << shape.name << " n=" << n << ": " << violation->message;
       EXPECT_TRUE(is_flip_optimal(PlanarMesh(points, solution.triangulation))) << shape.name << " n=" << n;

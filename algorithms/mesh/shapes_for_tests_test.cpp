@@ -184,6 +184,7 @@ std::vector<Point> distinct(const std::vector<Point>& points) {
 }  // namespace
 
 const std::vector<Shape>& shapes() {
+  constexpr std::size_t kFewPoints = 60;
   static const std::vector<Shape> all = {
       {"uniform", uniform},
       {"small_grid", small_grid},
@@ -202,9 +203,9 @@ const std::vector<Shape>& shapes() {
       {"far_from_origin", far_from_origin},
       {"spiral", spiral},
       {"log_radial", log_radial},
-      {"huge_coordinates", huge_coordinates},
-      {"tiny_coordinates", tiny_coordinates},
-      {"every_magnitude", every_magnitude},
+      {"huge_coordinates", huge_coordinates, kFewPoints},
+      {"tiny_coordinates", tiny_coordinates, kFewPoints},
+      {"every_magnitude", every_magnitude, kFewPoints},
       {"two_arcs", two_arcs},
   };
   return all;
@@ -212,6 +213,7 @@ const std::vector<Shape>& shapes() {
 
 std::vector<Point> make_shape(const Shape& shape, std::size_t n, std::uint64_t seed) {
   Random random(seed);
+  n = std::min(n, shape.largest_n);
   while (true) {
     std::vector<Point> points = distinct(shape.make(std::max<std::size_t>(n, 4), random));
     while (points.size() > n) points.pop_back();
