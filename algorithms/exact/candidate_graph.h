@@ -12,10 +12,12 @@ namespace mwt {
 /// The graph that the LMT-skeleton hands to the face solver: halfedges in compressed rows, one row (star) per vertex.
 ///
 /// Properties:
-///   (1) each edge stands in both ends' stars; no segment with a point in its interior, no edge twice;
-///   (2) each star is in counter-clockwise cyclic order, exact, starting anywhere;
+///   (1) each edge stands in both ends' stars, none twice, no certain edge with a point in its interior;
+///   (2) each star is in counter-clockwise cyclic order, exact, starting anywhere, no direction twice;
 ///   (3) some minimum weight triangulation uses candidates only and contains every certain edge;
-///   (4) no candidate crosses a certain edge; hull edges (between neighbours on the boundary) are certain.
+///   (4) certain edges do not cross each other; hull edges (between neighbours on the boundary) are certain.
+/// A few candidates may cross certain edges or pass through points that are no neighbours of their ends. No minimum
+/// weight triangulation contains those; the face solver finds and deletes what matters (crossing_candidates.h).
 struct CandidateGraph {
   Points points;
   std::vector<std::uint32_t> first;   ///< star of v: halfedges first[v] .. first[v + 1]; size n + 1

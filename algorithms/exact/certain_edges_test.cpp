@@ -86,7 +86,8 @@ struct Crossing {
   Edge certain;
 };
 
-// Property (4), by definition, over pairs of edges whose boxes meet.
+// Property (4), and that no other candidate crosses a certain edge either: not promised, but true of all these
+// families. Over pairs of edges whose boxes meet.
 std::vector<Crossing> crossings_of_certain_edges(const CandidateGraph& graph) {
   struct BoxedEdge {
     Edge edge;
@@ -158,7 +159,7 @@ TEST(CertainEdges, HaveTheirPropertiesOnThousandsOfPoints) {
 }
 
 TEST(CertainEdgesSlow, HaveTheirPropertiesOnManyInstances) {
-  for (const auto& [name, points] : instances_of_all_families({8, 13, 20, 50, 150, 400}, 20)) {
+  for (const auto& [name, points] : instances_of_all_families({8, 13, 20, 50, 150}, 10)) {
     SCOPED_TRACE(name);
     expect_properties(candidate_graph(make_kd_order(points)));
     if (HasFailure()) return;

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <mutex>
 
+#include "algorithms/exact/crossing_candidates.h"
 #include "algorithms/exact/face_region.h"
 #include "algorithms/exact/face_walk.h"
 #include "algorithms/exact/polygon_face.h"
@@ -78,7 +79,13 @@ class FaceSolver {
           return PolygonFaceSolver(graph_, scaled_.empty() ? graph_.points : Points(scaled_));
         }) {}
 
-  FaceSolution solve();
+  void solve_polygons();
+
+  // The candidates of the faces that are no polygons, ascending.
+  [[nodiscard]] std::vector<Edge> open_candidates() const;
+
+  // Solves these faces and collects everything. Precondition: no open candidate crosses a certain edge.
+  [[nodiscard]] FaceSolution finish();
 
  private:
   void solve_blocks();
@@ -102,11 +109,33 @@ class FaceSolver {
 };
 
 // Every part has its place, whichever thread fills it.
-FaceSolution FaceSolver::solve() {
-  FaceSolution solution;
+void FaceSolver::solve_polygons() {
   outer_face_ = walker_.owner_of_outer_face();
   solve_blocks();
   solve_long_walks();
+}
+
+std::vector<Edge> FaceSolver::open_candidates() const {
+  std::vector<Edge> edges;
+  for (const Part& part : parts_) {
+    for (const Walk& walk : part.composite_walks) {
+      for (const Corner& corner : walk) {
+        for (std::uint32_t i = 0; i < corner.candidates; ++i) {
+          edges.push_back(make_edge(corner.vertex, candidate_of(graph_, corner, i)));
+        }
+      }
+    }
+    for (const Index vertex : part.isolated) {
+      for (const Index target : graph_.star(vertex)) edges.push_back(make_edge(vertex, target));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+FaceSolution FaceSolver::finish() {
+  FaceSolution solution;
   solve_regions();
   assemble(solution);
   return solution;
@@ -270,12 +299,25 @@ void FaceSolver::assemble(FaceSolution& solution) {
   solution.proved = solution.unsolved_faces == 0 && solution.optimum.relative_width() <= kProvedRelativeWidth;
 }
 
+// A candidate that crosses a certain edge leads out of its face at both ends or breaks the face's polygon, so it is
+// found among the open ones.
+FaceSolution solve_after_repair(const CandidateGraph& graph, Context& context) {
+  FaceSolver solver(graph, context);
+  solver.solve_polygons();
+  const std::vector<Edge> crossing = find_crossing_candidates(graph, solver.open_candidates());
+  if (crossing.empty()) return solver.finish();
+  const CandidateGraph repaired = without_edges(graph, crossing);
+  FaceSolver again(repaired, context);
+  again.solve_polygons();
+  return again.finish();
+}
+
 }  // namespace
 
 FaceSolution solve_faces(const CandidateGraph& graph, Context& context) {
   // More threads than cores would only wait for each other.
   tbb::task_arena arena(std::clamp(context.threads, 1, tbb::info::default_concurrency()));
-  return arena.execute([&] { return FaceSolver(graph, context).solve(); });
+  return arena.execute([&] { return solve_after_repair(graph, context); });
 }
 
 }  // namespace mwt

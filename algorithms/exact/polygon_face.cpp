@@ -1,11 +1,13 @@
 #include "algorithms/exact/polygon_face.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "algorithms/exact/length_sum_comparison.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 
@@ -39,8 +41,11 @@ PolygonFaceOutcome PolygonFaceSolver::solve(std::span<const Corner> corners,
   if (!collect_cells()) return PolygonFaceOutcome::not_a_polygon;
   lay_out_backward_cells();
   if (!compute_cells(deadline)) return PolygonFaceOutcome::out_of_time;
-  emit(result);
-  return PolygonFaceOutcome::solved;
+  return emit(result) ? PolygonFaceOutcome::solved : PolygonFaceOutcome::not_a_polygon;
+}
+
+bool PolygonFaceSolver::turns_left(const Triangle& triangle) const {
+  return orientation(graph_.points[triangle[0]], graph_.points[triangle[1]], graph_.points[triangle[2]]) > 0;
 }
 
 PolygonFaceOutcome PolygonFaceSolver::solve_quadrilateral(FaceTriangles& result) {
@@ -53,13 +58,12 @@ PolygonFaceOutcome PolygonFaceSolver::solve_quadrilateral(FaceTriangles& result)
   if (diagonals == 0 || halfedges != 2 * diagonals) return PolygonFaceOutcome::not_a_polygon;
   counters_.cells += diagonals;
   const bool take_ac = has_ac && (!has_bd || compare_edge_lengths(graph_.points, {a, c}, {b, d}) <= 0);
-  if (take_ac) {
-    result.triangles.insert(result.triangles.end(), {{a, b, c}, {a, c, d}});
-    result.diagonals.add(graph_.points[a], graph_.points[c]);
-  } else {
-    result.triangles.insert(result.triangles.end(), {{a, b, d}, {b, c, d}});
-    result.diagonals.add(graph_.points[b], graph_.points[d]);
-  }
+  const std::array<Triangle, 2> triangles =
+      take_ac ? std::array<Triangle, 2>{{{a, b, c}, {a, c, d}}} : std::array<Triangle, 2>{{{a, b, d}, {b, c, d}}};
+  if (!turns_left(triangles[0]) || !turns_left(triangles[1])) return PolygonFaceOutcome::not_a_polygon;
+  result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
+  const Edge diagonal = take_ac ? Edge{a, c} : Edge{b, d};
+  result.diagonals.add(graph_.points[diagonal.a], graph_.points[diagonal.b]);
   return PolygonFaceOutcome::solved;
 }
 
@@ -235,7 +239,11 @@ void PolygonFaceSolver::collect_diagonals(Position from, const Option& option, s
   }
 }
 
-void PolygonFaceSolver::emit(FaceTriangles& result) {
+// Where a candidate crosses the face's boundary, the program's triangles may overlap or lie outside, but then some of
+// them do not turn left: those that all do cover the face once (see polygon_dp.h).
+bool PolygonFaceSolver::emit(FaceTriangles& result) {
+  const std::size_t before = result.triangles.size();
+  one_.clear();  // the diagonals
   stack_.assign({{0, first_[1] - 1}});
   while (!stack_.empty()) {
     const auto [begin, cell] = stack_.back();
@@ -245,11 +253,17 @@ void PolygonFaceSolver::emit(FaceTriangles& result) {
     const Option& best = best_[cell];
     const Position apex = to_[best.left];
     const Triangle triangle{corners_[begin].vertex, corners_[apex].vertex, corners_[end].vertex};
+    if (!turns_left(triangle)) {
+      result.triangles.resize(before);
+      return false;
+    }
     result.triangles.push_back(triangle);
-    if (!is_boundary(begin, end)) result.diagonals.add(graph_.points[triangle[0]], graph_.points[triangle[2]]);
+    if (!is_boundary(begin, end)) one_.push_back({triangle[0], triangle[2]});
     stack_.push_back({begin, best.left});
     stack_.push_back({apex, best.right});
   }
+  for (const Edge& diagonal : one_) result.diagonals.add(graph_.points[diagonal.a], graph_.points[diagonal.b]);
+  return true;
 }
 
 }  // namespace mwt

@@ -32,7 +32,7 @@ struct PolygonFaceCounters {
 
 enum class PolygonFaceOutcome {
   solved,
-  not_a_polygon,  ///< candidates lead to other components: the face has holes or isolated vertices
+  not_a_polygon,  ///< candidates lead to other components (holes, isolated vertices) or cross the boundary
   out_of_time,
 };
 
@@ -90,7 +90,8 @@ class PolygonFaceSolver {
   template <class Visit>
   void for_each_option(Position from, Cell cell, Visit visit) const;
   void collect_diagonals(Position from, const Option& option, std::vector<Edge>& edges);
-  void emit(FaceTriangles& result);
+  [[nodiscard]] bool emit(FaceTriangles& result);
+  [[nodiscard]] bool turns_left(const Triangle& triangle) const;
 
   [[nodiscard]] bool is_boundary(Position from, Position to) const {
     return to == from + 1 || (from == 0 && to + 1 == corners_.size());

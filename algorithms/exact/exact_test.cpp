@@ -1,0 +1,351 @@
+#include "algorithms/exact/exact.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "algorithms/exact/stage_testing.h"
+#include "algorithms/solver_testing.h"
+#include "geometry/point_file.h"
+
+namespace mwt {
+namespace {
+
+using stage_testing::append;
+using stage_testing::instances_of_all_families;
+using stage_testing::NamedInstance;
+
+std::vector<Triangle> canonical(const Solution& solution) { return canonical_triangles(solution.triangulation); }
+
+Solution solve_with_threads(Points points, int threads) {
+  Context context;
+  context.threads = threads;
+  return exact(points, context);
+}
+
+void expect_agreement(const std::vector<NamedInstance>& instances, const std::string& reference) {
+  for (const auto& [name, points] : instances) {
+    SCOPED_TRACE(name);
+    const Solution solution = solve_to_optimality("exact", points);
+    const Solution other = solve_to_optimality(reference, points);
+    ASSERT_FALSE(testing::Test::HasFailure());
+    ASSERT_TRUE(overlap(*solution.optimum, *other.optimum))
+        << solution.optimum->middle() << ", " << reference << ": " << other.optimum->middle();
+  }
+}
+
+// Collinear points and cocircular integer points, equal lengths: n is 3 to 13.
+std::vector<NamedInstance> lattice_instances(std::uint64_t seeds) {
+  std::vector<NamedInstance> instances;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const auto n = static_cast<Index>(3 + seed % 11);
+    append(instances, "integer_uniform", n, seed, {{"range", "4"}});
+    append(instances, "integer_uniform", n, seed, {{"range", "8"}});
+    append(instances, "integer_uniform", n, seed, {{"range", "60"}});
+    append(instances, "lattice", n, seed, {{"holes", "0.4"}});
+    append(instances, "integer_circle", n, seed);
+  }
+  for (Index n = 3; n <= 13; ++n) {
+    append(instances, "grid", n);
+    for (const char* rows : {"2", "3", "4"}) append(instances, "collinear_rows", n, 1, {{"rows", rows}});
+  }
+  return instances;
+}
+
+TEST(Exact, AgreesWithBruteForceOnAllFamilies) {
+  const auto instances = instances_of_all_families({3, 4, 5, 6, 7, 8, 9}, 8);
+  EXPECT_GE(instances.size(), 600U);
+  expect_agreement(instances, "brute_force");
+}
+
+TEST(Exact, AgreesWithSubsetDpOnAllFamilies) {
+  const auto instances = instances_of_all_families({6, 7, 8, 9, 10, 11, 12, 13}, 10);
+  EXPECT_GE(instances.size(), 900U);
+  expect_agreement(instances, "subset_dp");
+}
+
+TEST(Exact, AgreesWithTheTriangleProgramOnAllFamilies) {
+  const auto instances = instances_of_all_families({9, 11, 13, 20}, 2);
+  EXPECT_GE(instances.size(), 100U);
+  expect_agreement(instances, "triangle_lp");
+}
+
+TEST(Exact, AgreesWithSubsetDpOnLatticesAndCircles) {
+  const auto instances = lattice_instances(130);
+  EXPECT_GE(instances.size(), 600U);
+  expect_agreement(instances, "subset_dp");
+}
+
+TEST(ExactSlow, AgreesOnManyMoreInstances) {
+  expect_agreement(lattice_instances(800), "subset_dp");
+  expect_agreement(instances_of_all_families({8, 11, 14}, 40), "subset_dp");
+  expect_agreement(instances_of_all_families({30, 60}, 3), "triangle_lp");
+}
+
+// Coordinates of many magnitudes: floats cannot tell small triangles at the end of long edges from flat ones.
+std::vector<Point> mixed_scales(std::size_t n, std::mt19937_64& random) {
+  std::vector<Point> points(n);
+  const auto coordinate = [&] {
+    const double magnitude = std::ldexp(static_cast<double>(random() % 8), static_cast<int>(random() % 40));
+    return random() % 2 == 0 ? magnitude : -magnitude;
+  };
+  for (Point& p : points) {
+    p.x = coordinate();
+    p.y = coordinate();
+  }
+  return points;
+}
+
+// Far points and near ones in three rows that are very close together.
+std::vector<Point> narrow_rows(std::size_t n, std::mt19937_64& random) {
+  std::vector<Point> points(n);
+  for (Point& p : points) {
+    const std::uint64_t x = random() % 2 == 0 ? random() % 1'000'000'000 : 500'000'000 + random() % 10;
+    p = {static_cast<double>(x), static_cast<double>(random() % 3)};
+  }
+  return points;
+}
+
+void compare_on_mixed_scales(std::uint64_t seeds) {
+  std::vector<NamedInstance> instances;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    std::mt19937_64 random(seed);
+    const std::size_t n = 5 + seed % 9;
+    for (const auto make : {mixed_scales, narrow_rows}) {
+      const std::string name = "mixed scales n=" + std::to_string(n) + " seed=" + std::to_string(seed);
+      try {
+        instances.push_back({name, make_point_set(make(n, random), name).points});
+      } catch (const InputError&) {  // all collinear
+      }
+    }
+  }
+  expect_agreement(instances, "subset_dp");
+}
+
+TEST(Exact, AgreesWithSubsetDpWhereScalesMix) { compare_on_mixed_scales(500); }
+
+TEST(ExactSlow, AgreesWithSubsetDpWhereScalesMix) { compare_on_mixed_scales(10'000); }
+
+// The LMT stage leaves an edge that crosses a certain one.
+TEST(Exact, StandsCandidatesThatCrossCertainEdges) {
+  const std::vector<Point> points{{16777216, -24}, {-98304, -3072},      {896, 458752},        {-655360, 5120},
+                                  {-8, -7340032},  {-268435456, 327680}, {15032385536, -32768}};
+  expect_agreement({{"seven points", points}}, "brute_force");
+}
+
+TEST(Exact, AgreesWithPolygonDpInConvexPosition) {
+  for (const Index n : {3, 4, 5, 8, 20, 50, 111, 200}) {
+    std::vector<NamedInstance> instances;
+    append(instances, "circle", n);
+    append(instances, "integer_circle", n, n);
+    expect_agreement(instances, "polygon_dp");
+  }
+  // Collinear runs along the hull.
+  std::vector<Point> square;
+  for (int i = 0; i < 20; ++i) {
+    square.insert(square.end(), {{i + 0.0, 0.0}, {20.0, i + 0.0}, {20.0 - i, 20.0}, {0.0, 20.0 - i}});
+  }
+  expect_agreement({{"square", square}}, "polygon_dp");
+}
+
+TEST(Exact, SolvesCocircularPoints) { (void)solve_to_optimality("exact", generate("circle", 300, 1)); }
+
+TEST(ExactSlow, SolvesAThousandCocircularPoints) {
+  (void)solve_to_optimality("exact", generate("circle", 1000, 1));
+  (void)solve_to_optimality("exact", generate("integer_circle", 1000, 1));
+}
+
+TEST(Exact, SolvesWheelsEvenAndOdd) {
+  for (Index spokes = 13; spokes <= 30; ++spokes) {
+    SCOPED_TRACE(spokes);
+    const Solution exact_wheel = solve_to_optimality("exact", generate("wheel", spokes + 1, 1));
+    EXPECT_GE(exact_wheel.counters.at("faces_with_holes"), 1);
+    (void)solve_to_optimality("exact", generate("wheel", spokes + 1, spokes, {{"jitter", "0.001"}}));
+  }
+}
+
+TEST(Exact, SolvesSeveralJitteredWheelsInOneSet) {
+  std::vector<Point> points;
+  for (std::uint64_t i = 0; i < 9; ++i) {
+    for (const Point& p : generate("wheel", static_cast<Index>(14 + i), i + 1, {{"jitter", "0.001"}})) {
+      points.push_back({p.x + 3 * static_cast<double>(i % 3), p.y + 3 * static_cast<double>(i / 3)});
+    }
+  }
+  (void)solve_to_optimality("exact", points);
+}
+
+TEST(Exact, SolvesFarFromTheOrigin) {
+  for (const char* offset : {"1e6", "1e9"}) {
+    (void)solve_to_optimality("exact", generate("far_from_origin", 1000, 1, {{"offset", offset}}));
+  }
+}
+
+TEST(Exact, GivesTheSameTriangulationAtAllScales) {
+  for (const char* family : {"uniform", "clustered", "wheel"}) {
+    const std::vector<Point> points = generate(family, family == std::string("wheel") ? 15 : 500, 1);
+    const Solution reference = solve_to_optimality("exact", points);
+    for (const double scale : {0x1p-960, 0x1p-300, 0x1p300, 0x1p963}) {  // 1e-289 .. 8e289
+      SCOPED_TRACE(testing::Message() << family << ' ' << scale);
+      std::vector<Point> scaled = points;
+      for (Point& p : scaled) p = {p.x * scale, p.y * scale};
+      EXPECT_EQ(canonical(solve_to_optimality("exact", scaled)), canonical(reference));
+    }
+  }
+}
+
+TEST(Exact, SolvesTinyAndHugeInstances) {
+  for (const double scale : {1e-300, 1e290}) {
+    std::vector<Point> points = generate("uniform", 12, 3);
+    for (Point& p : points) p = {p.x * scale, p.y * scale};
+    expect_agreement({{std::to_string(scale), points}}, "subset_dp");
+  }
+}
+
+std::vector<NamedInstance> middle_sized_instances() {
+  std::vector<NamedInstance> instances;
+  for (const char* family : {"uniform", "normal", "clustered", "lattice"}) {
+    append(instances, family, 3000, 1);
+  }
+  append(instances, "near_collinear", 100, 1);
+  append(instances, "wheel", 25, 1);
+  return instances;
+}
+
+TEST(Exact, DoesNotDependOnThreads) {
+  for (const auto& [name, points] : middle_sized_instances()) {
+    SCOPED_TRACE(name);
+    const Solution one = solve_with_threads(points, 1);
+    for (const int threads : {2, 3}) {
+      const Solution other = solve_with_threads(points, threads);
+      EXPECT_EQ(one.triangulation.triangles, other.triangulation.triangles);
+      EXPECT_EQ(one.optimum, other.optimum);
+    }
+  }
+}
+
+// Restores the machine's own instruction set.
+struct VectorTargets {
+  ~VectorTargets() { hwy::SetSupportedTargetsForTest(0); }
+  static void use_only(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+TEST(Exact, DoesNotDependOnVectorInstructions) {
+  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  const VectorTargets restore;
+  for (const auto& [name, points] : middle_sized_instances()) {
+    VectorTargets::use_only(targets.front());
+    const Solution best = solve_with_threads(points, 1);
+    for (const std::int64_t target : targets) {
+      SCOPED_TRACE(name + ' ' + hwy::TargetName(target));
+      VectorTargets::use_only(target);
+      const Solution other = solve_with_threads(points, 1);
+      EXPECT_EQ(canonical(best), canonical(other));
+      EXPECT_EQ(best.optimum, other.optimum);
+    }
+  }
+}
+
+std::string test_data(const std::string& file) {
+  return std::string(MWT_SOURCE_DIR) + "/algorithms/exact/testdata/" + file;
+}
+
+TEST(Exact, FindsKnownOptimaOfTsplib) {
+  std::ifstream table(test_data("optima.csv"));
+  std::string line;
+  std::getline(table, line);
+  int instances = 0;
+  for (; std::getline(table, line); ++instances) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream row(line);
+    std::string name;
+    std::size_t distinct = 0, duplicates = 0;
+    double lower = 0, upper = 0;
+    row >> name >> distinct >> duplicates >> lower >> upper;
+    SCOPED_TRACE(name);
+    const PointSet set = make_point_set(read_points(test_data(name + ".tsp")), name);
+    EXPECT_EQ(set.points.size(), distinct);
+    EXPECT_EQ(set.duplicates(), duplicates);
+    const Solution solution = solve_to_optimality("exact", set.points);
+    EXPECT_TRUE(overlap(*solution.optimum, {lower, upper})) << solution.optimum->middle();
+  }
+  EXPECT_EQ(instances, 7);
+}
+
+TEST(Exact, ProvesALargerInstanceOfTsplib) {
+  const PointSet set = make_point_set(read_points(test_data("pcb3038.tsp")), "pcb3038");
+  EXPECT_EQ(set.points.size(), 3038);
+  (void)solve_to_optimality("exact", set.points);
+}
+
+TEST(Exact, SolvesSparseClusters) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    (void)solve_to_optimality("exact", generate("clustered", 2000, seed, {{"clusters", "50"}, {"sigma", "0.01"}}));
+  }
+}
+
+TEST(Exact, ProvesAllFamiliesAtModerateSize) {
+  for (const auto& [name, points] : instances_of_all_families({40, 300})) {
+    // Their single face with an isolated point takes linear programs of a million triangles.
+    const bool is_one_large_program = points.size() == 300 && (name.starts_with("wheel") || name.starts_with("near"));
+    if (is_one_large_program) continue;
+    SCOPED_TRACE(name);
+    (void)solve_to_optimality("exact", points);
+  }
+}
+
+TEST(ExactSlow, ProvesAllFamiliesAtLargerSizes) {
+  for (const char* family : {"uniform", "normal", "clustered", "lattice", "integer_uniform", "jittered_grid"}) {
+    SCOPED_TRACE(family);
+    (void)solve_to_optimality("exact", generate(family, 100'000, 1));
+  }
+}
+
+TEST(Exact, ReturnsATriangulationAndBoundsAtTheDeadline) {
+  for (const auto& [name, points] : middle_sized_instances()) {
+    SCOPED_TRACE(name);
+    const Solution proved = solve_to_optimality("exact", points);
+    const Solution late = solve_and_check("exact", points, {}, Context::Clock::now() - std::chrono::seconds(1));
+    EXPECT_TRUE(late.stopped_early);
+    ASSERT_TRUE(late.optimum);
+    EXPECT_GT(late.optimum->lower, 0);
+    EXPECT_LE(late.optimum->lower, proved.optimum->lower);
+    EXPECT_GE(late.optimum->upper, proved.optimum->upper);
+  }
+}
+
+TEST(Exact, ReportsStagesAndCounters) {
+  const std::vector<Point> points = generate("uniform", 2000, 1);
+  Context context;
+  std::vector<std::string> stages;
+  double done = 0;
+  context.progress = [&](const std::string& stage, double share) {
+    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+    done = share;
+  };
+  const Solution solution = exact(points, context);
+  EXPECT_EQ(stages, (std::vector<std::string>{"k-d order", "diamond test", "LMT-skeleton", "certain edges", "faces"}));
+  EXPECT_EQ(done, 1);
+  std::vector<std::string> phases;
+  for (const auto& [name, seconds] : context.phases) {
+    phases.push_back(name);
+    EXPECT_GE(seconds, 0) << name;
+  }
+  EXPECT_EQ(phases, (std::vector<std::string>{"kd_order", "diamond_test", "lmt", "certain_edges", "faces"}));
+  const auto& counters = solution.counters;
+  EXPECT_GT(counters.at("edges_after_diamond_test"), counters.at("edges_after_lmt"));
+  EXPECT_GT(counters.at("edges_after_lmt"), counters.at("certain_edges"));
+  EXPECT_GT(counters.at("faces"), 0);
+  EXPECT_GT(counters.at("dp_cells"), 0);
+  EXPECT_EQ(counters.at("unsolved_faces"), 0);
+}
+
+}  // namespace
+}  // namespace mwt
