@@ -88,7 +88,9 @@ struct AlgorithmInfo {
   std::string time;       ///< e.g. "O(n log n)"
   std::string space;
   Exactness exactness = Exactness::heuristic;
-  Index largest_n = 0;  ///< largest sensible n: studies go no further
+  Index largest_n = 0;                ///< largest sensible n: studies go no further
+  int version = 1;                    ///< raised whenever a change may alter results: keys cached optima
+  bool convex_position_only = false;  ///< NotApplicable unless all points lie on the hull's boundary
   std::vector<ParameterInfo> parameters;
   AlgorithmFunction function = nullptr;
 };

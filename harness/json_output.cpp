@@ -64,6 +64,7 @@ std::string to_json(const SolveReport& report) {
   json["optimum_lower"] = lower_or_null(report.optimum);
   json["optimum_upper"] = upper_or_null(report.optimum);
   json["optimality"] = report.optimality;
+  json["optimum_cached"] = report.optimum_cached;
   json["alpha_lower"] = lower_or_null(report.alpha);
   json["alpha_upper"] = upper_or_null(report.alpha);
   json["valid"] = report.valid;

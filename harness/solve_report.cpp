@@ -29,7 +29,8 @@ void add_quality(AlignedTable& table, const SolveReport& report) {
   if (report.weight) table.add_row({"weight", text_of(*report.weight)});
   if (report.perimeter_sum) table.add_row({"sum of perimeters", number_text(*report.perimeter_sum)});
   if (report.count) table.add_row({"triangulations", *report.count});
-  if (report.optimum) table.add_row({"optimum (" + report.optimality + ")", text_of(*report.optimum)});
+  const std::string cached = report.optimum_cached ? ", cached" : "";
+  if (report.optimum) table.add_row({"optimum (" + report.optimality + cached + ")", text_of(*report.optimum)});
   if (report.alpha) table.add_row({"alpha", text_of(*report.alpha)});
 }
 

@@ -31,6 +31,7 @@ struct SolveReport {
   bool stopped_early = false;
   std::optional<Interval> optimum;
   std::string optimality = "none";
+  bool optimum_cached = false;  ///< it was proved earlier and comes from the optimum cache
   std::optional<Interval> alpha;
   bool valid = false;
   double wall_time_s = 0;

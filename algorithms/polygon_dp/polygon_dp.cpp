@@ -213,6 +213,7 @@ AlgorithmInfo polygon_dp_entry() {
   info.space = "O(n^2)";
   info.exactness = Exactness::exact;
   info.largest_n = 2000;
+  info.convex_position_only = true;
   info.parameters = {{"objective",
                       ParameterType::choice,
                       "edges",

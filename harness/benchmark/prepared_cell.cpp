@@ -31,7 +31,7 @@ std::optional<Interval> cheap_optimum(const Catalogue& catalogue, const Instance
   ProcessPool pool(1);
   RunLimits limits;
   limits.time_s = kOptimumTime;
-  seek_optimum(pool, std::make_shared<const Instance>(instance), optimum_sources_for(catalogue, {}, n), limits,
+  seek_optimum(pool, std::make_shared<const Instance>(instance), optimum_sources_for(catalogue, {}, n), limits, nullptr,
                [&](const FoundOptimum& found) { result = found; });
   while (!pool.is_empty()) pool.wait(std::chrono::seconds(1));
   return result.interval;

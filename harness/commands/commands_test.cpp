@@ -24,8 +24,8 @@ class Commands : public ::testing::Test {
   };
 
   [[nodiscard]] Result mwt(const std::string& arguments) const {
-    const std::string command = std::string("cd ") + folder_.path("") + " && " MWT_EXECUTABLE " " + arguments + " >" +
-                                folder_.path(".out") + " 2>" + folder_.path(".err") + " </dev/null";
+    const std::string command = "cd " + folder_.path("") + " && MWT_CACHE_DIR=optima " MWT_EXECUTABLE " " + arguments +
+                                " >" + folder_.path(".out") + " 2>" + folder_.path(".err") + " </dev/null";
     const int status = std::system(command.c_str());
     return {WEXITSTATUS(status), read_text(folder_.path(".out")), read_text(folder_.path(".err"))};
   }

@@ -10,6 +10,7 @@
 #include "harness/commands/commands.h"
 #include "harness/execution.h"
 #include "harness/json_output.h"
+#include "harness/optimum_cache.h"
 #include "harness/quality.h"
 #include "harness/solve_report.h"
 #include "harness/start_triangulation.h"
@@ -27,6 +28,7 @@ struct Options {
   int threads = 1;
   std::optional<double> time_limit_s;
   bool with_optimum = false;
+  bool no_cache = false;
   bool json = false;
   std::optional<std::string> triangles;
   std::optional<std::string> edges;
@@ -46,14 +48,19 @@ Request make_request(const Options& options, const Catalogue& catalogue, const I
   return request;
 }
 
-// The optimum from the exact algorithms, each in a process of its own.
-FoundOptimum search_optimum(const Catalogue& catalogue, const Instance& instance, const RunLimits& limits) {
+// The optimum from the cache or the exact algorithms, each in a process of its own.
+FoundOptimum search_optimum(const Catalogue& catalogue, const Instance& instance, const Options& options) {
+  RunLimits limits;
+  limits.time_s = options.time_limit_s.value_or(limits.time_s);
+  std::optional<OptimumCache> cache;
+  const auto warn = [](const std::string& warning) { std::cerr << "mwt: warning: " << warning << '\n'; };
+  if (!options.no_cache) cache.emplace(optimum_cache_folder(), warn);
   const auto shared = std::make_shared<const Instance>(instance);
   const auto n = static_cast<Index>(instance.set.points.size());
   FoundOptimum result;
   ProcessPool pool(1);
-  seek_optimum(pool, shared, optimum_sources_for(catalogue, {}, n), limits,
-               [&](const FoundOptimum& found) { result = found; });
+  seek_optimum(pool, shared, optimum_sources_for(catalogue, {}, n, instance.hull_size == n), limits,
+               cache ? &*cache : nullptr, [&](const FoundOptimum& found) { result = found; });
   while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(200));
   return result;
 }
@@ -104,6 +111,7 @@ void rate(SolveReport& report, const std::optional<Interval>& claimed, const Fou
     report.alpha = alpha_of(*report.weight, *report.optimum);
   }
   report.optimality = name_of(optimality_of(report.optimum));
+  report.optimum_cached = found.is_cached;
 }
 
 void write_files(const Options& options, const Instance& instance, const std::vector<Point>& input,
@@ -132,11 +140,7 @@ int solve(const Options& options) {
     throw std::logic_error(report.algorithm + " returned no triangulation: " + *judgement.violation);
   }
   FoundOptimum found;
-  if (options.with_optimum) {
-    RunLimits limits;
-    limits.time_s = options.time_limit_s.value_or(limits.time_s);
-    found = search_optimum(catalogue, instance, limits);
-  }
+  if (options.with_optimum) found = search_optimum(catalogue, instance, options);
   rate(report, execution.solution.optimum, found);
   write_files(options, instance, input, execution.solution.triangulation);
   print(options, report);
@@ -151,6 +155,7 @@ void declare(CommandOptions& declared, Options& options) {
   declared.positive("--threads", options.threads, "threads that the algorithm may use");
   declared.positive("--time-limit", options.time_limit_s, "seconds after which the best so far is wanted");
   declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to tell alpha");
+  declared.flag("--no-cache", options.no_cache, "seek that optimum anew; leave the optimum cache alone");
   declared.flag("--json", options.json, "print one JSON object");
   declared.option("--triangles", options.triangles,
                   "write the triangles (a,b,c per line; positions in the point file)");

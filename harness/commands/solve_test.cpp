@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "harness/study/results_folder.h"
@@ -17,8 +18,8 @@ using testing::write_text;
 class Solve : public ::testing::Test {
  protected:
   [[nodiscard]] int mwt(const std::string& arguments) const {
-    const std::string command = std::string("cd ") + folder_.path("") + " && " MWT_EXECUTABLE " " + arguments + " >" +
-                                folder_.path(".out") + " 2>" + folder_.path(".err");
+    const std::string command = "cd " + folder_.path("") + " && MWT_CACHE_DIR=optima " MWT_EXECUTABLE " " + arguments +
+                                " >" + folder_.path(".out") + " 2>" + folder_.path(".err");
     return WEXITSTATUS(std::system(command.c_str()));
   }
   [[nodiscard]] nlohmann::json output() const { return nlohmann::json::parse(read_text(folder_.path(".out"))); }
@@ -36,7 +37,7 @@ TEST_F(Solve, JsonHasExactlyTheDocumentedFields) {
       "weight_lower",  "weight_upper",  "perimeter_sum", "count",          "stopped_early",
       "optimum_lower", "optimum_upper", "optimality",    "alpha_lower",    "alpha_upper",
       "valid",         "wall_time_s",   "cpu_time_s",    "peak_rss_bytes", "phases",
-      "counters"};
+      "counters",      "optimum_cached"};
   EXPECT_EQ(report.size(), fields.size());
   for (const std::string& field : fields) EXPECT_TRUE(report.contains(field)) << field;
   EXPECT_EQ(report["n"], 6);
@@ -59,6 +60,34 @@ TEST_F(Solve, TheReportsExampleAgainstItsProvedOptimum) {
   EXPECT_EQ(report["optimality"], "proved");
   EXPECT_NEAR(report["optimum_upper"].get<double>(), 70.9585925243, 1e-9);
   EXPECT_NEAR(report["alpha_lower"].get<double>(), 1.21965, 1e-5);
+}
+
+TEST_F(Solve, TheOptimumIsSoughtOnceAndThenCached) {
+  ASSERT_EQ(mwt("generate uniform --n 50 -o p.txt"), 0);
+  const std::string command = "solve p.txt --algorithm greedy --with-optimum --json";
+  ASSERT_EQ(mwt(command + " --no-cache"), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("optima")));
+  ASSERT_EQ(mwt(command), 0);
+  const nlohmann::json first = output();
+  ASSERT_EQ(mwt(command), 0);
+  const nlohmann::json second = output();
+  EXPECT_FALSE(first["optimum_cached"]);
+  EXPECT_TRUE(second["optimum_cached"]);
+  EXPECT_EQ(second["optimality"], "proved");
+  for (const char* field : {"optimum_lower", "optimum_upper", "alpha_lower", "alpha_upper"})
+    EXPECT_EQ(second[field], first[field]) << field;
+  ASSERT_EQ(mwt(command + " --no-cache"), 0);
+  EXPECT_FALSE(output()["optimum_cached"]);
+}
+
+TEST_F(Solve, AnUnusableCacheIsAWarningOnly) {
+  write_text(folder_.path("optima"), "a file where the folder should be");
+  write_text(folder_.path("p.txt"), "0 0\n2 0\n2 2\n0 2\n1 1\n");
+  ASSERT_EQ(mwt("solve p.txt --algorithm delaunay --with-optimum --json"), 0);
+  EXPECT_EQ(output()["optimality"], "proved");
+  const std::string errors = read_text(folder_.path(".err"));
+  EXPECT_TRUE(errors.starts_with("mwt: warning: optima are not cached: ")) << errors;
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
 }
 
 TEST_F(Solve, WritesTrianglesEdgesAndAPicture) {
@@ -103,6 +132,11 @@ min_time_s = 0.001
   EXPECT_NE(read_text(folder_.path(".err")).find("--resume"), std::string::npos);
   EXPECT_EQ(mwt("run tiny.toml --resume --jobs 2"), 0);
   EXPECT_EQ(read_runs(folder_.path("results/tiny")).size(), 4u);
+  ASSERT_EQ(mwt("run tiny.toml --out again"), 0);
+  const std::string instances = read_text(folder_.path("again/instances.csv"));
+  EXPECT_NE(instances.find(",cached\n"), std::string::npos) << instances;
+  ASSERT_EQ(mwt("run tiny.toml --out anew --no-cache"), 0);
+  EXPECT_EQ(read_text(folder_.path("anew/instances.csv")).find("cached"), std::string::npos);
 }
 
 }  // namespace

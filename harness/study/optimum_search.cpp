@@ -19,6 +19,7 @@ struct Search : std::enable_shared_from_this<Search> {
   std::shared_ptr<const Instance> instance;
   std::vector<const AlgorithmInfo*> sources;
   RunLimits limits;
+  OptimumCache* cache = nullptr;
   std::function<void(FoundOptimum)> when_done;
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
   std::size_t next = 0;
@@ -26,8 +27,30 @@ struct Search : std::enable_shared_from_this<Search> {
 
   explicit Search(ProcessPool& p) : pool(p) {}
 
+  void begin_search() {
+    if (cache) look_up();
+    ask_next_source();
+  }
+
+  // All keys before any search: whichever source proved the optimum, it is proved.
+  void look_up() {
+    for (const AlgorithmInfo* source : sources) {
+      const std::optional<CachedOptimum> entry = cache->find(key_of(*source));
+      if (!entry) continue;
+      combine(source->name, entry->interval);
+      found.is_cached = true;
+    }
+    if (found.contradiction) note("both in the optimum cache " + cache->folder());
+  }
+
+  [[nodiscard]] OptimumKey key_of(const AlgorithmInfo& source) const {
+    return {instance->id, source.name, source.version, Parameters(source.name, source.parameters, {}).canonical()};
+  }
+
+  [[nodiscard]] bool is_proved() const { return optimality_of(found.interval) == Optimality::proved; }
+
   void ask_next_source() {
-    const bool is_settled = found.contradiction || optimality_of(found.interval) == Optimality::proved;
+    const bool is_settled = found.contradiction || is_proved();
     if (is_settled || next == sources.size()) {
       finish();
       return;
@@ -45,6 +68,7 @@ struct Search : std::enable_shared_from_this<Search> {
   void take(const AlgorithmInfo& source, const RunRecord& record) {
     if (const std::optional<Interval> bounds = optimum_of(record)) {
       combine(source.name, *bounds);
+      if (cache && !found.contradiction) cache->store(key_of(source), {*bounds, record.wall_time_s.value_or(0)});
     } else {
       note(source.name + ": " + std::string(name_of(record.status)) +
            (record.message.empty() ? "" : ", " + record.message));
@@ -68,7 +92,7 @@ struct Search : std::enable_shared_from_this<Search> {
   void note(const std::string& text) { found.note += (found.note.empty() ? "" : "; ") + text; }
 
   void finish() {
-    if (optimality_of(found.interval) == Optimality::proved) found.note.clear();
+    if (is_proved()) found.note = found.is_cached ? "cached" : "";
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     found.time_s = elapsed.count();
     when_done(std::move(found));
@@ -88,7 +112,8 @@ const AlgorithmInfo& exact_algorithm(const Catalogue& catalogue, const OptimumSo
 }  // namespace
 
 std::vector<const AlgorithmInfo*> optimum_sources_for(const Catalogue& catalogue,
-                                                      const std::vector<OptimumSource>& sources, Index n) {
+                                                      const std::vector<OptimumSource>& sources, Index n,
+                                                      bool in_convex_position) {
   std::vector<const AlgorithmInfo*> result;
   for (const OptimumSource& source : sources) {
     const AlgorithmInfo& info = exact_algorithm(catalogue, source);
@@ -96,23 +121,27 @@ std::vector<const AlgorithmInfo*> optimum_sources_for(const Catalogue& catalogue
   }
   if (!sources.empty()) return result;
   for (const AlgorithmInfo& info : catalogue.algorithms()) {
-    if (info.exactness == Exactness::exact && n <= largest_n_for(info, {})) result.push_back(&info);
+    const bool takes_it = n <= largest_n_for(info, {}) && (in_convex_position || !info.convex_position_only);
+    if (info.exactness == Exactness::exact && takes_it) result.push_back(&info);
   }
-  std::stable_sort(result.begin(), result.end(), [](const AlgorithmInfo* a, const AlgorithmInfo* b) {
-    return largest_n_for(*a, {}) > largest_n_for(*b, {});
-  });
+  const auto rank = [](const AlgorithmInfo& info) {
+    return std::pair(info.convex_position_only, largest_n_for(info, {}));
+  };
+  std::stable_sort(result.begin(), result.end(),
+                   [&](const AlgorithmInfo* a, const AlgorithmInfo* b) { return rank(*a) > rank(*b); });
   return result;
 }
 
 void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
-                  std::vector<const AlgorithmInfo*> sources, const RunLimits& limits,
+                  std::vector<const AlgorithmInfo*> sources, const RunLimits& limits, OptimumCache* cache,
                   std::function<void(FoundOptimum)> when_done) {
   const auto search = std::make_shared<Search>(pool);
   search->instance = std::move(instance);
   search->sources = std::move(sources);
   search->limits = limits;
+  search->cache = cache;
   search->when_done = std::move(when_done);
-  search->ask_next_source();
+  search->begin_search();
 }
 
 }  // namespace mwt

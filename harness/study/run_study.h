@@ -1,6 +1,7 @@
 // Runs a study from plan to tables.
 #pragma once
 
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -14,6 +15,7 @@ struct RunOptions {
   bool resume = false;
   int jobs = 1;  ///< runs side by side; more than one disturbs times
   bool is_terminal = false;
+  std::optional<std::string> cache_folder{};  ///< where proved optima are kept (harness/optimum_cache.h); none: nowhere
 };
 
 struct StudyOutcome {
@@ -23,8 +25,9 @@ struct StudyOutcome {
   bool interrupted = false;        ///< by Ctrl-C or SIGTERM
 };
 
-/// First the optimum of every instance, then every run that is not recorded yet, each in a process of its own; every
-/// result is on the disk before the next one begins. Progress, notes and the final tables go to `out`.
+/// First the optimum of every instance, from the cache if it has it, then every run that is not recorded yet, each in a
+/// process of its own; every result is on the disk before the next one begins. Progress, notes and the final tables go
+/// to `out`.
 ///
 /// Every row's optimum is all that is certified about its instance by then: what the optimum sources found, what exact
 /// runs found since, and, as an upper end, the run's own weight. Intervals that exclude each other make the row an

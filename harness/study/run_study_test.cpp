@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "geometry/error.h"
+#include "harness/optimum_cache.h"
 #include "harness/study/results_folder.h"
 #include "harness/test_support.h"
 
@@ -107,6 +108,55 @@ TEST(RunStudy, BoundsThatProveNothingStillGiveAlpha) {
   const RunRecord record = by_algorithm(folder.path("out")).at("well");
   EXPECT_EQ(record.optimality, "bounded");
   EXPECT_NEAR(record.alpha_upper.value(), 2, 1e-9);
+}
+
+// Counts its calls in a file, for it is called in other processes.
+std::string call_log;
+
+Solution solve_fan_and_tell(Points points, Context& context) {
+  std::ofstream(call_log, std::ios::app) << 'x';
+  return testing::solve_fan_exactly(points, context);
+}
+
+TEST(RunStudy, AnotherStudySearchesNoOptimumAgain) {
+  const TemporaryFolder folder;
+  call_log = folder.path("calls");
+  const std::vector<AlgorithmInfo> algorithms = {testing::entry("well", testing::solve_well),
+                                                 testing::entry("telling", solve_fan_and_tell, Exactness::exact)};
+  const Catalogue catalogue(algorithms, generators());
+  Study study = study_of({"well"}, "fan");
+  study.sizes = {10, 20};
+  study.seeks_optimum = true;
+  const auto run_into = [&](const std::string& name, const std::optional<std::string>& cache) {
+    std::ostringstream out;
+    static_cast<void>(run_study(study, catalogue, {folder.path(name), false, 1, false, cache}, out));
+    for (const RunRecord& record : read_runs(folder.path(name))) EXPECT_EQ(record.optimality, "proved") << name;
+    return read_text(call_log);
+  };
+  EXPECT_EQ(run_into("first", folder.path("optima")), "xx");
+  study.name = "another";
+  EXPECT_EQ(run_into("second", folder.path("optima")), "xx");
+  EXPECT_EQ(run_into("third", std::nullopt), "xxxx") << "without a cache";
+}
+
+// An entry that passes every check and is wrong all the same: an earlier version of a solver erred.
+TEST(RunStudy, ACachedOptimumThatExcludesAFreshOneIsReported) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well", "fan_exact"}, "fan");
+  study.seeks_optimum = true;
+  study.optimum_sources = {{"fan_exact", {}, ""}};
+  run(study, folder.path("out"));
+  const RunRecord right = by_algorithm(folder.path("out")).at("well");
+  OptimumCache cache(folder.path("optima"), [](const std::string&) {});
+  cache.store({right.instance_id, "fan_exact", 1, ""}, {{2 * *right.weight_upper, 2 * *right.weight_upper}, 1});
+  std::ostringstream out;
+  const StudyOutcome outcome =
+      run_study(study, testing::test_catalogue(), {folder.path("again"), false, 1, false, folder.path("optima")}, out);
+  EXPECT_EQ(outcome.contradictions, 2u) << out.str();
+  for (const RunRecord& record : read_runs(folder.path("again"))) {
+    EXPECT_EQ(record.status, RunStatus::error);
+    EXPECT_TRUE(record.message.starts_with("CONTRADICTION")) << record.message;
+  }
 }
 
 // What has to be the same however often a study was interrupted.

@@ -1,7 +1,9 @@
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "geometry/error.h"
+#include "harness/optimum_cache.h"
 #include "harness/quality.h"
 #include "harness/study/optimum_search.h"
 #include "harness/study/study_session.h"
@@ -17,6 +19,8 @@ class OptimumPhase {
       : session_(session),
         progress_(session.out, session.options.is_terminal, "optima", session.plan.instances.size()),
         pool_(session.options.jobs) {
+    if (const auto& folder = session.options.cache_folder)
+      cache_.emplace(*folder, [this](const std::string& warning) { progress_.announce("warning: " + warning); });
     for (const InstanceRecord& record : session.folder.instances()) sought_.insert(record.instance_id);
   }
 
@@ -43,22 +47,28 @@ class OptimumPhase {
       progress_.advance(false, planned.label());
       return;
     }
-    const auto when_done = [this, &planned, instance](const FoundOptimum& found) { record(planned, *instance, found); };
-    seek_optimum(pool_, instance, sources_for(*instance), session_.study.optimum_limits, when_done);
+    const auto when_done = [this, &planned, instance](FoundOptimum found) {
+      record(planned, *instance, std::move(found));
+    };
+    seek_optimum(pool_, instance, sources_for(*instance), session_.study.optimum_limits, cache_ ? &*cache_ : nullptr,
+                 when_done);
   }
 
   [[nodiscard]] std::vector<const AlgorithmInfo*> sources_for(const Instance& instance) const {
     if (!session_.study.seeks_optimum) return {};
     const auto n = static_cast<Index>(instance.set.points.size());
-    return optimum_sources_for(session_.catalogue, session_.study.optimum_sources, n);
+    return optimum_sources_for(session_.catalogue, session_.study.optimum_sources, n, instance.hull_size == n);
   }
 
-  void record(const PlannedInstance& planned, const Instance& instance, const FoundOptimum& found) {
+  void record(const PlannedInstance& planned, const Instance& instance, FoundOptimum found) {
     InstanceRecord record = keys_of(planned, instance);
     if (found.interval) {
       record.optimum_lower = found.interval->lower;
       record.optimum_upper = found.interval->upper;
-      static_cast<void>(session_.known.add(instance.id, *found.interval));  // its first bounds: nothing to contradict
+      if (!session_.known.add(instance.id, *found.interval)) {
+        found.contradiction = true;
+        found.note = "CONTRADICTION between " + found.source + " and the runs recorded earlier";
+      }
     }
     record.optimality = name_of(optimality_of(found.interval));
     record.optimum_source = found.source;
@@ -90,6 +100,7 @@ class OptimumPhase {
 
   StudySession& session_;
   Progress progress_;
+  std::optional<OptimumCache> cache_;
   std::set<std::string> sought_;  // instance ids
   ProcessPool pool_;              // last: its processes end before what their results refer to
 };
