@@ -32,7 +32,7 @@ struct PreparedCell {
   std::string reason_to_skip;     ///< not empty: the algorithm or the family does not take this n, or the
                                   ///< algorithm's output is wrong
 };
-inline constexpr Index kLargestRatedN = 50;
+inline constexpr Index kLargestRatedN = 10000;
 
 /// Generates the instance (seed 1), runs the algorithm once, checks its output, and looks for the optimum.
 [[nodiscard]] PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell);

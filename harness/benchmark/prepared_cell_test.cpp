@@ -35,7 +35,7 @@ PreparedCell prepared(const std::string& algorithm, const std::string& family, I
 }
 
 TEST(PreparedCell, IsVerifiedAndHasItsYardstick) {
-  const PreparedCell cell = prepared("well", "uniform", 100);
+  const PreparedCell cell = prepared("well", "uniform", kLargestRatedN + 1);
   EXPECT_EQ(cell.reason_to_skip, "");
   EXPECT_GT(cell.yardstick_s, 0);
   EXPECT_FALSE(cell.alpha) << "too large for a cheap optimum";
