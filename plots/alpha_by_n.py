@@ -4,7 +4,7 @@
     plots/alpha_by_n.py RESULTS_FOLDER -o FIGURE.svg [--families uniform,clustered] [--algorithms delaunay,greedy_report]
 
 Reads RESULTS_FOLDER/runs.csv (schema: results/README.md) and writes FIGURE.svg and FIGURE.png. A point is the mean over
-instances of the upper end of the certified interval, a bar reaches to the largest; runs without a certified bound are
+instances of the upper end of the certified interval, a bar reaches to the largest; runs without a proved optimum are
 not drawn. The axis is logarithmic; below its lowest decade everything counts as optimal and lies on the bottom line.
 Needs python3-pandas and python3-matplotlib.
 """
@@ -40,7 +40,7 @@ def read_rated_runs(folder):
         sys.exit(f"{path}: a schema version that this script does not know")
     for column in TEXT_COLUMNS:
         runs[column] = runs[column].fillna("")
-    return runs[(runs["status"] == "ok") & runs["alpha_upper"].notna()]
+    return runs[(runs["status"] == "ok") & (runs["optimality"] == "proved")]
 
 
 def with_labels(runs):

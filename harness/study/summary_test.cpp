@@ -13,6 +13,7 @@ RunRecord row(const std::string& algorithm, RunStatus status, double alpha, doub
   record.status = status;
   if (status == RunStatus::ok) {
     record.alpha_upper = alpha;
+    record.optimality = "proved";
     record.wall_time_s = time;
     record.optimal = alpha == 1 ? "yes" : "no";
   }
@@ -29,7 +30,7 @@ TEST(Summary, CountsAveragesAndShares) {
       summary_tables({row("b", RunStatus::ok, 1, 1e-3), row("b", RunStatus::ok, 1.5, 3e-3),
                       row("b", RunStatus::timeout, 0, 0), row("a", RunStatus::not_applicable, 0, 0)});
   EXPECT_EQ(text,
-            "alpha by algorithm (upper ends of certified intervals; rated: runs with a certified bound)\n"
+            "alpha by algorithm (upper ends of certified intervals; rated: runs with a proved optimum)\n"
             "algorithm  runs  failures  not applicable  rated  alpha mean  alpha max  optimal\n"
             "b             3         1               0      2    1.250000   1.500000      50%\n"
             "a             0         0               1      0           -          -        -\n"
