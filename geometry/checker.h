@@ -9,7 +9,8 @@
 
 namespace mwt {
 
-/// The rules a triangulation can break, in the order in which they are examined.
+/// The rules a triangulation can break. All are examined in this order, but the last two the other way round: an unused
+/// point explains a wrong count.
 enum class TriangulationRule {
   point_count_matches,         ///< the triangulation speaks of as many points as there are
   indices_in_range,            ///< every corner is a point
