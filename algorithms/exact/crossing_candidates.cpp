@@ -118,6 +118,19 @@ class CrossingSearch {
   std::vector<Box> boxes_;  // by node: node i has children 2i and 2i + 1
 };
 
+// Takes out the values at these positions, which are ascending.
+template <class Value>
+void close_gaps(std::vector<Value>& values, const std::vector<std::uint32_t>& positions) {
+  if (positions.empty()) return;
+  auto end = values.begin() + positions.front();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto from = values.begin() + positions[i] + 1;
+    const auto to = i + 1 < positions.size() ? values.begin() + positions[i + 1] : values.end();
+    end = std::move(from, to, end);
+  }
+  values.erase(end, values.end());
+}
+
 }  // namespace
 
 std::vector<Edge> find_crossing_candidates(const CandidateGraph& graph, std::span<const Edge> suspects) {
@@ -133,19 +146,25 @@ std::vector<Edge> find_crossing_candidates(const CandidateGraph& graph, std::spa
   return crossing;
 }
 
-CandidateGraph without_edges(const CandidateGraph& graph, const std::vector<Edge>& edges) {
-  CandidateGraph result;
-  result.points = graph.points;
-  result.first.push_back(0);
-  for (Index v = 0; v < graph.points.size(); ++v) {
-    for (std::uint32_t i = graph.first[v]; i < graph.first[v + std::size_t{1}]; ++i) {
-      if (std::binary_search(edges.begin(), edges.end(), make_edge(v, graph.target[i]))) continue;
-      result.target.push_back(graph.target[i]);
-      result.certain.push_back(graph.certain[i]);
-    }
-    result.first.push_back(static_cast<std::uint32_t>(result.target.size()));
+void remove_edges(CandidateGraph& graph, std::span<const Edge> edges) {
+  std::vector<std::uint32_t> removed;  // halfedges
+  const auto note = [&](Index from, Index to) {
+    const auto star = graph.star(from);
+    const auto place = std::find(star.begin(), star.end(), to);
+    if (place != star.end()) removed.push_back(graph.first[from] + static_cast<std::uint32_t>(place - star.begin()));
+  };
+  for (const Edge& edge : edges) {
+    note(edge.a, edge.b);
+    note(edge.b, edge.a);
   }
-  return result;
+  std::sort(removed.begin(), removed.end());
+  close_gaps(graph.target, removed);
+  close_gaps(graph.certain, removed);
+  std::size_t before = 0;
+  for (std::uint32_t& first : graph.first) {
+    while (before < removed.size() && removed[before] < first) ++before;
+    first -= static_cast<std::uint32_t>(before);
+  }
 }
 
 }  // namespace mwt

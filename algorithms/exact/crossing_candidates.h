@@ -19,7 +19,7 @@ namespace mwt {
 /// does not depend on them.
 [[nodiscard]] std::vector<Edge> find_crossing_candidates(const CandidateGraph& graph, std::span<const Edge> suspects);
 
-/// The graph without `edges`, which are ascending. O(graph log edges).
-[[nodiscard]] CandidateGraph without_edges(const CandidateGraph& graph, const std::vector<Edge>& edges);
+/// Deletes `edges`, which stand in the graph. O(graph) moves of memory and the stars of their ends.
+void remove_edges(CandidateGraph& graph, std::span<const Edge> edges);
 
 }  // namespace mwt

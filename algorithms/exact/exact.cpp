@@ -25,9 +25,9 @@ class ExactSolver {
 
   Solution run() {
     try {
-      const CandidateGraph graph = candidates();
+      CandidateGraph graph = candidates();
       const ScopedPhase phase(context_, "faces");
-      const FaceSolution faces = solve_faces(graph, context_);
+      const FaceSolution faces = solve_faces(std::move(graph), context_);
       count(faces);
       return make_solution(faces);
     } catch (const SearchStopped&) {

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <iterator>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 #include "algorithms/exact/crossing_candidates.h"
 #include "algorithms/exact/face_region.h"
@@ -74,15 +76,17 @@ class Progress {
 
 class FaceSolver {
  public:
-  FaceSolver(const CandidateGraph& graph, Context& context)
-      : graph_(graph), context_(context), walker_(graph), scaled_(scaled_if_tiny(graph.points)), solvers_([this] {
-          return PolygonFaceSolver(graph_, scaled_.empty() ? graph_.points : Points(scaled_));
-        }) {}
+  FaceSolver(CandidateGraph graph, Context& context)
+      : graph_(std::move(graph)),
+        context_(context),
+        walker_(graph_),
+        scaled_(scaled_if_tiny(graph.points)),
+        solvers_([this] { return PolygonFaceSolver(graph_, scaled_.empty() ? graph_.points : Points(scaled_)); }) {}
 
   void solve_polygons();
 
-  // The candidates of the faces that are no polygons, ascending.
-  [[nodiscard]] std::vector<Edge> open_candidates() const;
+  // Deletes what crosses certain edges among the candidates of faces that are no polygons, and tries those again.
+  void repair();
 
   // Solves these faces and collects everything. Precondition: no open candidate crosses a certain edge.
   [[nodiscard]] FaceSolution finish();
@@ -93,13 +97,15 @@ class FaceSolver {
   void solve_long_walks();
   [[nodiscard]] std::vector<Walk> collect_long_walks() const;
   void solve_walk(const Walk& walk, PolygonFaceSolver& solver, Part& part);
+  [[nodiscard]] std::vector<Edge> open_candidates() const;
+  [[nodiscard]] Walk walk_again(const Edge& start) const;
   void solve_regions();
   void assemble(FaceSolution& solution);
   [[nodiscard]] Interval optimum() const;
 
-  const CandidateGraph& graph_;
+  CandidateGraph graph_;
   Context& context_;
-  FaceWalker walker_;
+  std::optional<FaceWalker> walker_;
   std::vector<Point> scaled_;
   tbb::enumerable_thread_specific<PolygonFaceSolver> solvers_;
   std::uint32_t outer_face_ = 0;
@@ -110,7 +116,7 @@ class FaceSolver {
 
 // Every part has its place, whichever thread fills it.
 void FaceSolver::solve_polygons() {
-  outer_face_ = walker_.owner_of_outer_face();
+  outer_face_ = walker_->owner_of_outer_face();
   solve_blocks();
   solve_long_walks();
 }
@@ -132,6 +138,35 @@ std::vector<Edge> FaceSolver::open_candidates() const {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+// Walks name halfedges by numbers that change when edges go: their first edges find them again.
+void FaceSolver::repair() {
+  // A candidate that crosses a certain edge leads out of its face at both ends or breaks the face's polygon, so it is
+  // found among the open ones.
+  const std::vector<Edge> crossing = find_crossing_candidates(graph_, open_candidates());
+  if (crossing.empty()) return;
+  const auto start_of = [&](const Walk& walk) { return Edge{walk.back().vertex, graph_.target[walk.back().halfedge]}; };
+  std::vector<std::vector<Edge>> composite(parts_.size());
+  std::vector<std::vector<Edge>> late(parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    for (const Walk& walk : parts_[i].composite_walks) composite[i].push_back(start_of(walk));
+    for (const Walk& walk : parts_[i].late_walks) late[i].push_back(start_of(walk));
+  }
+  remove_edges(graph_, crossing);
+  walker_.emplace(graph_);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    parts_[i].composite_walks.clear();
+    parts_[i].late_walks.clear();
+    for (const Edge& start : composite[i]) solve_walk(walk_again(start), solvers_.local(), parts_[i]);
+    for (const Edge& start : late[i]) parts_[i].late_walks.push_back(walk_again(start));
+  }
+}
+
+Walk FaceSolver::walk_again(const Edge& start) const {
+  Walk walk;
+  walker_->walk(start.a, walker_->corner_towards(start.a, start.b).halfedge, graph_.target.size(), walk);
+  return walk;
 }
 
 FaceSolution FaceSolver::finish() {
@@ -163,7 +198,7 @@ void FaceSolver::solve_block(Index begin, Index end, Part& part) {
       if (graph_.certain[h] == 0) continue;
       is_isolated = false;
       if (v < graph_.target[h]) part.certain.add(graph_.points[v], graph_.points[graph_.target[h]]);
-      const WalkEnd walk_end = walker_.walk(v, h, kLongWalk, walk);
+      const WalkEnd walk_end = walker_->walk(v, h, kLongWalk, walk);
       if (walk_end == WalkEnd::too_long) part.long_walks.push_back({v, h, 0});
       if (walk_end == WalkEnd::closed && h != outer_face_) solve_walk(walk, solver, part);
     }
@@ -195,7 +230,7 @@ std::vector<Walk> FaceSolver::collect_long_walks() const {
       is_visited.resize(graph_.target.size());
       if (is_visited[start.halfedge]) continue;
       Walk walk;
-      walker_.walk(start.vertex, start.halfedge, graph_.target.size(), walk);
+      walker_->walk(start.vertex, start.halfedge, graph_.target.size(), walk);
       for (const Corner& corner : walk) is_visited[corner.halfedge] = true;
       if (start.halfedge != outer_face_) walks.push_back(std::move(walk));
     }
@@ -231,7 +266,7 @@ void FaceSolver::solve_regions() {
   std::vector<FaceRegion> regions;
   for (const Walk& walk : late) regions.push_back(make_region(graph_, {&walk}, {}));
   late_regions_ = regions.size();
-  for (FaceRegion& region : group_into_regions(graph_, walker_, composite, isolated)) {
+  for (FaceRegion& region : group_into_regions(graph_, *walker_, composite, isolated)) {
     regions.push_back(std::move(region));
   }
   regions_.resize(regions.size());
@@ -299,25 +334,17 @@ void FaceSolver::assemble(FaceSolution& solution) {
   solution.proved = solution.unsolved_faces == 0 && solution.optimum.relative_width() <= kProvedRelativeWidth;
 }
 
-// A candidate that crosses a certain edge leads out of its face at both ends or breaks the face's polygon, so it is
-// found among the open ones.
-FaceSolution solve_after_repair(const CandidateGraph& graph, Context& context) {
-  FaceSolver solver(graph, context);
-  solver.solve_polygons();
-  const std::vector<Edge> crossing = find_crossing_candidates(graph, solver.open_candidates());
-  if (crossing.empty()) return solver.finish();
-  const CandidateGraph repaired = without_edges(graph, crossing);
-  FaceSolver again(repaired, context);
-  again.solve_polygons();
-  return again.finish();
-}
-
 }  // namespace
 
-FaceSolution solve_faces(const CandidateGraph& graph, Context& context) {
+FaceSolution solve_faces(CandidateGraph graph, Context& context) {
   // More threads than cores would only wait for each other.
   tbb::task_arena arena(std::clamp(context.threads, 1, tbb::info::default_concurrency()));
-  return arena.execute([&] { return solve_after_repair(graph, context); });
+  return arena.execute([&] {
+    FaceSolver solver(std::move(graph), context);
+    solver.solve_polygons();
+    solver.repair();
+    return solver.finish();
+  });
 }
 
 }  // namespace mwt

@@ -38,6 +38,6 @@ struct FaceSolution {
 /// triangulation and contribute a simple lower bound: the result is valid, `optimum` certified and wide, `proved`
 /// false. Time for faces of bounded size O(n), about a third of a Delaunay triangulation on two cores; an L-gon with
 /// all its diagonals takes O(L^3). Space O(n + candidates).
-[[nodiscard]] FaceSolution solve_faces(const CandidateGraph& graph, Context& context);
+[[nodiscard]] FaceSolution solve_faces(CandidateGraph graph, Context& context);
 
 }  // namespace mwt
