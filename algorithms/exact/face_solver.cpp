@@ -11,6 +11,7 @@
 #include <iterator>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "algorithms/exact/crossing_candidates.h"
@@ -18,6 +19,7 @@
 #include "algorithms/exact/face_walk.h"
 #include "algorithms/exact/polygon_face.h"
 #include "algorithms/exact/region_program.h"
+#include "algorithms/exact/search_stopped.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -98,6 +100,7 @@ class FaceSolver {
   [[nodiscard]] std::vector<Walk> collect_long_walks() const;
   void solve_walk(const Walk& walk, PolygonFaceSolver& solver, Part& part);
   [[nodiscard]] std::vector<Edge> open_candidates() const;
+  [[nodiscard]] double simple_lower_bound() const;
   [[nodiscard]] Walk walk_again(const Edge& start) const;
   void solve_regions();
   void assemble(FaceSolution& solution);
@@ -144,8 +147,9 @@ std::vector<Edge> FaceSolver::open_candidates() const {
 void FaceSolver::repair() {
   // A candidate that crosses a certain edge leads out of its face at both ends or breaks the face's polygon, so it is
   // found among the open ones.
-  const std::vector<Edge> crossing = find_crossing_candidates(graph_, open_candidates());
-  if (crossing.empty()) return;
+  const auto crossing = find_crossing_candidates(graph_, open_candidates(), context_.deadline);
+  if (!crossing) throw SearchStopped("the deadline passed before the faces were known", simple_lower_bound());
+  if (crossing->empty()) return;
   const auto start_of = [&](const Walk& walk) { return Edge{walk.back().vertex, graph_.target[walk.back().halfedge]}; };
   std::vector<std::vector<Edge>> composite(parts_.size());
   std::vector<std::vector<Edge>> late(parts_.size());
@@ -153,7 +157,7 @@ void FaceSolver::repair() {
     for (const Walk& walk : parts_[i].composite_walks) composite[i].push_back(start_of(walk));
     for (const Walk& walk : parts_[i].late_walks) late[i].push_back(start_of(walk));
   }
-  remove_edges(graph_, crossing);
+  remove_edges(graph_, *crossing);
   walker_.emplace(graph_);
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     parts_[i].composite_walks.clear();
@@ -163,10 +167,26 @@ void FaceSolver::repair() {
   }
 }
 
+// The certain edges and as many of the shortest candidates as there must be others.
+double FaceSolver::simple_lower_bound() const {
+  LengthSum certain;
+  for (const Part& part : parts_) certain.add(part.certain);
+  std::vector<Edge> candidates;
+  std::size_t certain_edges = 0;
+  for (Index v = 0; v < graph_.points.size(); ++v) {
+    for (std::uint32_t h = graph_.first[v]; h < graph_.first[v + std::size_t{1}]; ++h) {
+      if (graph_.target[h] < v) continue;
+      if (graph_.certain[h] == 0) candidates.push_back({v, graph_.target[h]});
+      certain_edges += graph_.certain[h];
+    }
+  }
+  const std::size_t edges = 3 * graph_.points.size() - 3 - walker_->outer_face_size();
+  const Interval shortest = shortest_edges_length(graph_.points, candidates, edges - certain_edges);
+  return std::max(0.0, next_down(certain.enclosure().lower + shortest.lower));
+}
+
 Walk FaceSolver::walk_again(const Edge& start) const {
-  Walk walk;
-  walker_->walk(start.a, walker_->corner_towards(start.a, start.b).halfedge, graph_.target.size(), walk);
-  return walk;
+  return walker_->corners_of_face(start.a, walker_->corner_towards(start.a, start.b).halfedge);
 }
 
 FaceSolution FaceSolver::finish() {
@@ -217,6 +237,8 @@ void FaceSolver::solve_walk(const Walk& walk, PolygonFaceSolver& solver, Part& p
   switch (solver.solve(walk, context_.deadline, part.solved)) {
     case PolygonFaceOutcome::solved: ++part.faces; break;
     case PolygonFaceOutcome::not_a_polygon: part.composite_walks.push_back(walk); break;
+    case PolygonFaceOutcome::no_triangulation:
+      throw std::logic_error("candidate graph: a face has no triangulation by candidates");
     case PolygonFaceOutcome::out_of_time: part.late_walks.push_back(walk); break;
   }
 }

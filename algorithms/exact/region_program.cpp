@@ -1,8 +1,12 @@
 #include "algorithms/exact/region_program.h"
 
 #include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include "algorithms/exact/consistent_triangles.h"
+#include "algorithms/exact/cut_region.h"
 #include "algorithms/exact/region_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/predicates.h"
@@ -72,7 +76,37 @@ RegionSolution leave_unsolved(Points points, const FaceRegion& region) {
   return result;
 }
 
-RegionSolution solve_region(Points points, const FaceRegion& region, const Deadline& deadline) {
+namespace {
+
+// With two boundary components: every triangulation contains one of a few cuts, and with each cut the region is a
+// polygon. Nothing if that does not decide it.
+std::optional<RegionSolution> solve_by_cutting(Points points, const FaceRegion& region, const Deadline& deadline) {
+  CutRegion cutter(points, region);
+  std::optional<RegionSolution> best;
+  double lower_bound = std::numeric_limits<double>::infinity();
+  for (const Edge& cut : cutter.unavoidable_cuts()) {
+    FaceTriangles found;
+    const PolygonFaceOutcome outcome = cutter.solve(std::span(&cut, 1), deadline, found);
+    if (outcome == PolygonFaceOutcome::no_triangulation) continue;
+    if (outcome == PolygonFaceOutcome::out_of_time && best) {
+      best->lower_bound = lower_bound_of_diagonals(points, region);
+      return best;
+    }
+    if (outcome != PolygonFaceOutcome::solved) return {};
+    const Interval weight = found.diagonals.enclosure();
+    lower_bound = std::min(lower_bound, weight.lower);
+    if (best && best->diagonals.enclosure().upper <= weight.upper) continue;
+    best.emplace();
+    best->triangles = std::move(found.triangles);
+    best->diagonals = found.diagonals;
+  }
+  if (!best) return {};
+  best->lower_bound = lower_bound;
+  best->solved = true;
+  return best;
+}
+
+RegionSolution solve_by_program(Points points, const FaceRegion& region, const Deadline& deadline) {
   const LocalRegion local = localise(points, region);
   const auto triangles = region_triangles(local.points, local.sides, kMaximumProgramTriangles, deadline);
   if (!triangles) return leave_unsolved(points, region);
@@ -88,6 +122,15 @@ RegionSolution solve_region(Points points, const FaceRegion& region, const Deadl
   result.programs = cover.programs;
   result.branchings = cover.branchings;
   return result;
+}
+
+}  // namespace
+
+RegionSolution solve_region(Points points, const FaceRegion& region, const Deadline& deadline) {
+  if (region.components == 2) {
+    if (const auto solution = solve_by_cutting(points, region, deadline)) return *solution;
+  }
+  return solve_by_program(points, region, deadline);
 }
 
 }  // namespace mwt
