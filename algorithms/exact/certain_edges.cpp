@@ -102,12 +102,15 @@ class Marking {
     const std::size_t degree = star.size();
     const auto here = static_cast<std::size_t>(std::find(star.begin(), star.end(), t) - star.begin());
     // Neighbours to the left of st follow it in the star, those to the right precede it.
-    for (std::size_t i = 1; i < degree; ++i) {
+    std::size_t right = 0;
+    while (right + 1 < degree && orientation(a, b, graph_.points[star[(here + degree - right - 1) % degree]]) < 0) {
+      ++right;
+    }
+    for (std::size_t i = 1; i + right < degree; ++i) {
       const Index w = star[(here + i) % degree];
       if (orientation(a, b, graph_.points[w]) <= 0) break;
-      for (std::size_t j = 1; i + j < degree; ++j) {
+      for (std::size_t j = 1; j <= right; ++j) {
         const Index y = star[(here + degree - j) % degree];
-        if (orientation(a, b, graph_.points[y]) >= 0) break;
         const bool crosses = orientation(graph_.points[y], graph_.points[w], b) < 0 &&
                              orientation(graph_.points[y], graph_.points[w], a) > 0;
         if (crosses && has_edge(y, w)) return false;

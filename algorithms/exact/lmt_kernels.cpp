@@ -123,7 +123,9 @@ class Deletion {
     const std::uint32_t last = star.count - 1;
     for (std::uint32_t row = 0; row < 4; ++row) {
       std::uint32_t* const words = star.words + row * std::size_t{star.capacity};
-      for (std::uint32_t i = position; i < last; ++i) words[i] = words[i + 1];
+      for (std::uint32_t i = position; i < last; i += lanes()) {
+        hn::BlendedStore(hn::LoadU(kWord, words + i + 1), first_lanes(last - i), kWord, words + i);
+      }
     }
     star.count = last;
     const auto removed = hn::Set(kWord, position), low_half = hn::Set(kWord, 0xFFFF);
