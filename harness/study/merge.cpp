@@ -143,7 +143,7 @@ std::size_t merge_results(const MergeOptions& options, const Catalogue& catalogu
   require_one_study(parts);
   if (!options.accepts_other_build) require_one_commit(parts);
   Study study = read_study(options.folders.front() + "/study.toml");
-  if (options.instance_folder) study.instance_files.folder = options.instance_folder;
+  if (options.instance_folder) study.instance_files.folder = *options.instance_folder;
   const StudyRecords merged = Merger(parts, make_plan(study, catalogue)).merge();
   write_records(options.target, merged);
   return merged.runs.size();
