@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/delaunay.h"
-#include "harness/study/summary.h"
+#include "harness/statistics/quantile.h"
 
 namespace mwt {
 

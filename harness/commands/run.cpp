@@ -6,6 +6,9 @@
 #include "harness/catalogue.h"
 #include "harness/commands/commands.h"
 #include "harness/optimum_cache.h"
+#include "harness/report/final_rating.h"
+#include "harness/report/tables.h"
+#include "harness/study/results_folder.h"
 #include "harness/study/run_study.h"
 
 namespace mwt {
@@ -30,6 +33,13 @@ std::string default_folder(const Study& study, const Shard& shard) {
   return folder;
 }
 
+void print_overview(const std::string& folder) {
+  const std::vector<Cell> cells = cells_of(finally_rated(read_records(folder)));
+  std::cout << '\n'
+            << algorithm_table(cells, Labels(cells)) << "\nrecords: " << folder << "/runs.csv; all tables: mwt report "
+            << folder << '\n';
+}
+
 int run(const Options& options) {
   Study study = read_study(find_study_file(options.study));
   if (options.instances) study.instance_files.folder = *options.instances;
@@ -42,6 +52,7 @@ int run(const Options& options) {
   run_options.is_terminal = isatty(STDOUT_FILENO) == 1;
   if (!options.no_cache) run_options.cache_folder = optimum_cache_folder();
   const StudyOutcome outcome = run_study(study, Catalogue::built_in(), run_options, std::cout);
+  print_overview(run_options.folder);
   if (outcome.interrupted) return kExitInterrupted;
   return outcome.contradictions > 0 ? kExitFailure : kExitOk;
 }

@@ -1,5 +1,6 @@
 #include "harness/study/merge.h"
 
+#include <filesystem>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -33,9 +34,13 @@ std::string label_of(const PlannedRun& run, const Plan& plan) {
          plan.instances[run.instance].label() + " repetition=" + std::to_string(run.repetition);
 }
 
+// A study that still runs would be told as a gap: the lock tells it as what it is.
 std::vector<Part> read_parts(const MergeOptions& options) {
   std::vector<Part> parts;
-  for (const std::string& folder : options.folders) parts.push_back({folder, read_records(folder)});
+  for (const std::string& folder : options.folders) {
+    if (std::filesystem::exists(folder)) const FolderLock lock(folder);
+    parts.push_back({folder, read_records(folder)});
+  }
   return parts;
 }
 

@@ -134,8 +134,7 @@ std::vector<RunRecord> read_runs(const std::string& folder) {
 
 StudyRecords read_records(const std::string& folder) {
   StudyRecords records;
-  records.study_file = read_file((fs::path(folder) / "study.toml").string());  // before the lock would make the folder
-  const FolderLock lock(folder);
+  records.study_file = read_file((fs::path(folder) / "study.toml").string());
   records.runs = read_runs(folder);
   records.instances = read_file_of_records(folder, "instances.csv", instance_columns());
   records.environments = read_file_of_records(folder, "environments.csv", environment_columns());

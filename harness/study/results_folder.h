@@ -64,7 +64,7 @@ struct StudyRecords {
   std::vector<EnvironmentRecord> environments;
 };
 
-/// Throws InputError as read_runs(), and if another process is writing in the folder.
+/// Complete rows only, so that a study may be running there meanwhile. Throws InputError as read_runs().
 [[nodiscard]] StudyRecords read_records(const std::string& folder);
 
 /// Makes a results folder; runs.csv last, so that none is half there. Throws InputError: it holds something already, or

@@ -9,7 +9,6 @@
 #include "harness/study/interrupt.h"
 #include "harness/study/optimum_search.h"
 #include "harness/study/study_session.h"
-#include "harness/study/summary.h"
 
 namespace mwt {
 
@@ -52,12 +51,9 @@ void adopt_optima(StudySession& session, const std::vector<Record>& records) {
   }
 }
 
-void print_results(const StudySession& session, const MachineWatch& watch) {
+void announce_end(const StudySession& session, const MachineWatch& watch) {
   for (const std::string& warning : watch.warnings()) session.out << "  warning: " << warning << '\n';
-  session.out << '\n';
-  if (!session.folder.runs().empty()) session.out << summary_tables(session.folder.runs()) << '\n';
   if (session.outcome.interrupted) session.out << "interrupted; the same command with --resume runs the rest\n";
-  session.out << "records: " << session.options.folder << "/runs.csv\n";
 }
 
 }  // namespace
@@ -75,7 +71,7 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   seek_optima(session);
   execute_runs(session);
   session.outcome.interrupted = InterruptWatch::requested();
-  print_results(session, machine_watch);
+  announce_end(session, machine_watch);
   return session.outcome;
 }
 

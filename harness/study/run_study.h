@@ -1,4 +1,4 @@
-// Runs a study from plan to tables.
+// Runs a study from plan to records.
 #pragma once
 
 #include <optional>
@@ -29,8 +29,7 @@ struct StudyOutcome {
 };
 
 /// First the optimum of every instance, from the cache if it has it, then every run that is not recorded yet, each in a
-/// process of its own; every result is on the disk before the next one begins. Progress, notes and the final tables go
-/// to `out`.
+/// process of its own; every result is on the disk before the next one begins. Progress and notes go to `out`.
 ///
 /// Every row's optimum is all that is certified about its instance by then: what the optimum sources found, what exact
 /// runs found since, and, as an upper end, the run's own weight. Intervals that exclude each other make the row an
