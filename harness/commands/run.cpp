@@ -8,6 +8,7 @@
 #include "harness/optimum_cache.h"
 #include "harness/report/final_rating.h"
 #include "harness/report/tables.h"
+#include "harness/study/dry_run.h"
 #include "harness/study/results_folder.h"
 #include "harness/study/run_study.h"
 
@@ -24,6 +25,7 @@ struct Options {
   std::optional<std::string> shard;
   std::optional<std::string> instances;
   bool accept_other_build = false;
+  bool dry_run = false;
 };
 
 // Shards go to folders of their own.
@@ -51,6 +53,10 @@ int run(const Options& options) {
   run_options.jobs = options.jobs;
   run_options.is_terminal = isatty(STDOUT_FILENO) == 1;
   if (!options.no_cache) run_options.cache_folder = optimum_cache_folder();
+  if (options.dry_run) {
+    dry_run(study, Catalogue::built_in(), run_options, std::cout);
+    return kExitOk;
+  }
   const StudyOutcome outcome = run_study(study, Catalogue::built_in(), run_options, std::cout);
   print_overview(run_options.folder);
   if (outcome.interrupted) return kExitInterrupted;
@@ -64,6 +70,7 @@ Command run_command() {
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("study", options->study, "name of a study (mwt list studies) or path of a study file");
     declared.option("--out", options->folder, "folder for the records; results/STUDY if not given");
+    declared.flag("--dry-run", options->dry_run, "only say what would be run, and how long it may take");
     declared.flag("--resume", options->resume, "continue in a folder that has records: run only what is missing");
     declared.positive("--jobs", options->jobs, "runs side by side; more than one disturbs the times");
     declared.flag("--no-cache", options->no_cache, "seek every optimum anew; leave the optimum cache alone");
