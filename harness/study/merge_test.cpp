@@ -2,17 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "geometry/error.h"
-#include "harness/study/results_folder.h"
+#include "harness/study/records_testing.h"
 #include "harness/study/run_study.h"
 #include "harness/test_support.h"
 
 namespace mwt {
 namespace {
 
+using testing::lasting;
 using testing::read_text;
 using testing::TemporaryFolder;
 using testing::write_text;
@@ -64,22 +64,6 @@ class Merge : public ::testing::Test {
 
   TemporaryFolder folder_;
 };
-
-// Rows without what may differ between two runs of one cell: when, where, and how long.
-template <class Record>
-std::vector<CsvRow> lasting(const std::vector<Column<Record>>& columns, const std::vector<Record>& records) {
-  const std::vector<std::string> passing = {"env_id",     "recorded_at",    "wall_time_s",   "cpu_time_s",
-                                            "iterations", "peak_rss_bytes", "optimum_time_s"};
-  std::vector<CsvRow> rows;
-  for (const Record& record : records) {
-    rows.emplace_back();
-    for (const Column<Record>& column : columns) {
-      if (std::find(passing.begin(), passing.end(), column.name) == passing.end())
-        rows.back().push_back(column.text_of(record));
-    }
-  }
-  return rows;
-}
 
 TEST_F(Merge, FourShardsEqualTheSingleRun) {
   run("whole");

@@ -55,6 +55,17 @@ void keep_study_file(const fs::path& folder, const Study& study) {
   }
 }
 
+// A killed study's last worker holds the lock a little longer than the study itself, until the system ends it too.
+bool lock_within_patience(int descriptor) {
+  constexpr int kAttempts = 50;
+  constexpr useconds_t kPause = 20000;  // us
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
+    usleep(kPause);
+  }
+  return false;
+}
+
 }  // namespace
 
 // The lock is on the folder itself: it leaves no file and ends with the process, however that ends.
@@ -62,7 +73,7 @@ FolderLock::FolderLock(const std::string& folder) {
   make_folder(folder);
   descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ < 0) throw InputError(folder + ": " + std::strerror(errno));
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+  if (!lock_within_patience(descriptor_)) {
     close(descriptor_);
     throw InputError(folder + ": another mwt run is writing here; wait for it or choose another folder with --out");
   }
