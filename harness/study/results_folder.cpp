@@ -81,6 +81,9 @@ FolderLock::FolderLock(const std::string& folder) {
 
 FolderLock::~FolderLock() { close(descriptor_); }
 
+// Some file systems cannot; the rows are safe either way.
+void FolderLock::sync() const { static_cast<void>(fsync(descriptor_)); }
+
 ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool resume) : lock_(path) {
   const fs::path folder(path);
   if (!resume) require_empty(folder);
@@ -91,6 +94,7 @@ ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool r
   run_file_ = open_file("runs.csv", header_of(run_columns()));
   instance_file_ = open_file("instances.csv", header_of(instance_columns()));
   environment_file_ = open_file("environments.csv", header_of(environment_columns()));
+  lock_.sync();
   runs_ = records_of(run_file_->existing_rows(), run_columns(), (folder / "runs.csv").string());
   instances_ = records_of(instance_file_->existing_rows(), instance_columns(), (folder / "instances.csv").string());
 }

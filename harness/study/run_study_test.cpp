@@ -215,6 +215,37 @@ TEST(RunStudy, ResumingRunsExactlyWhatIsMissing) {
   }
 }
 
+std::string interrupt_log;
+
+// Sends Ctrl-C to the study the first time.
+Solution interrupt_once(Points points, Context& context) {
+  if (!std::filesystem::exists(interrupt_log)) {
+    write_text(interrupt_log, "x");
+    kill(getppid(), SIGINT);
+    return testing::hang(points, context);
+  }
+  return testing::solve_well(points, context);
+}
+
+TEST(RunStudy, CtrlCEndsItCleanlyAndResumeRunsTheRest) {
+  const TemporaryFolder folder;
+  interrupt_log = folder.path("log");
+  const std::vector<AlgorithmInfo> algorithms = {testing::entry("well", testing::solve_well),
+                                                 testing::entry("interrupts", interrupt_once)};
+  const Catalogue catalogue(algorithms, generators());
+  Study study = study_of({"well", "interrupts"});
+  study.repetitions = 3;
+  std::ostringstream out;
+  const StudyOutcome first = run_study(study, catalogue, {folder.path("out"), false, 1, false}, out);
+  EXPECT_TRUE(first.interrupted);
+  EXPECT_LT(first.runs, 6u);
+  EXPECT_NE(out.str().find("interrupted; the same command with --resume"), std::string::npos) << out.str();
+  EXPECT_EQ(read_runs(folder.path("out")).size(), first.runs) << "the run in flight is no row";
+  const StudyOutcome second = run_study(study, catalogue, {folder.path("out"), true, 1, false}, out);
+  EXPECT_FALSE(second.interrupted);
+  EXPECT_EQ(first.runs + second.runs, 6u);
+}
+
 TEST(RunStudy, ResumingOnNothingBegins) {
   const TemporaryFolder folder;
   EXPECT_EQ(run(study_of({"well"}), folder.path("a/b"), true).runs, 1u);
