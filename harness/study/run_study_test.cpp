@@ -85,6 +85,26 @@ TEST(RunStudy, RowsOfGoodRunsAreComplete) {
   EXPECT_EQ(record.binary_sha256.size(), 64u);
 }
 
+TEST(RunStudy, TheYardstickIsMeasuredWhereAStudyAsksForIt) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well", "throws"});
+  run(study, folder.path("without"));
+  EXPECT_FALSE(by_algorithm(folder.path("without")).at("well").yardstick_time_s);
+  study.measures_yardstick = true;
+  run(study, folder.path("with"));
+  EXPECT_GT(by_algorithm(folder.path("with")).at("well").yardstick_time_s.value_or(0), 0);
+  EXPECT_FALSE(by_algorithm(folder.path("with")).at("throws").yardstick_time_s);
+}
+
+TEST(RunStudy, AShardMayBeEmpty) {
+  const TemporaryFolder folder;
+  std::ostringstream out;
+  RunOptions options{folder.path("out")};
+  options.shard = {3, 3};
+  EXPECT_EQ(run_study(study_of({"well"}), testing::test_catalogue(), options, out).runs, 0u);
+  EXPECT_TRUE(read_runs(folder.path("out")).empty());
+}
+
 TEST(RunStudy, AlphaComesFromTheOptimumSources) {
   const TemporaryFolder folder;
   Study study = study_of({"well"}, "fan");
