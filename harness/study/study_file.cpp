@@ -264,12 +264,16 @@ Study read_root(const std::string& path, const toml::table& root) {
 
 }  // namespace
 
-Study read_study(const std::string& path) {
+Study read_study(const std::string& path, const std::optional<std::string>& instance_folder) {
   const std::string content = read_file(path);
   try {
     const toml::table root = toml::parse(content);
     Study study = read_root(path, root);
     study.file_content = content;
+    if (!instance_folder) return study;
+    if (study.instance_files.patterns.empty())
+      throw InputError(path + ": no [instances] that --instances could be for");
+    study.instance_files.folder = *instance_folder;
     return study;
   } catch (const toml::parse_error& error) {
     throw InputError(place_of(path, error.source()) + ": not valid TOML: " + one_line(error.description()));

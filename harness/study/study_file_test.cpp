@@ -92,6 +92,14 @@ TEST(StudyFile, MistakesNameLineAndKey) {
             "s.toml:3: 'families' lists names or tables with a name");
 }
 
+TEST(StudyFile, AnotherFolderOfInstancesCanBeNamed) {
+  const testing::TemporaryFolder folder;
+  testing::write_text(folder.path("s.toml"), kMinimal + "[instances]\nfiles = [\"*.tsp\"]\n");
+  EXPECT_EQ(read_study(folder.path("s.toml"), "elsewhere").instance_files.folder, "elsewhere");
+  testing::write_text(folder.path("s.toml"), kMinimal);
+  EXPECT_THROW(static_cast<void>(read_study(folder.path("s.toml"), "elsewhere")), InputError);
+}
+
 TEST(FindStudy, KnowsTheProjectsStudiesAndTakesPaths) {
   const std::vector<std::string> names = study_names();
   EXPECT_NE(std::find(names.begin(), names.end(), "report"), names.end());
