@@ -38,12 +38,9 @@ void make_folder(const fs::path& folder) {
                    (error ? error.message() : "a file is in its place") + "; choose another with --out");
 }
 
-void require_empty(const fs::path& folder) {
+void require_empty(const fs::path& folder, const std::string& remedy) {
   std::error_code error;
-  if (!fs::is_empty(folder, error)) {
-    throw InputError(folder.string() +
-                     ": has results already; continue them with --resume or choose another with --out");
-  }
+  if (!fs::is_empty(folder, error)) throw InputError(folder.string() + ": has something in it already; " + remedy);
 }
 
 void keep_study_file(const fs::path& folder, const Study& study) {
@@ -55,6 +52,17 @@ void keep_study_file(const fs::path& folder, const Study& study) {
   }
 }
 
+// A killed study's last worker holds the lock a little longer than the study itself, until the system ends it too.
+bool lock_within_patience(int descriptor) {
+  constexpr int kAttempts = 50;
+  constexpr useconds_t kPause = 20000;  // us
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
+    usleep(kPause);
+  }
+  return false;
+}
+
 }  // namespace
 
 // The lock is on the folder itself: it leaves no file and ends with the process, however that ends.
@@ -62,7 +70,7 @@ FolderLock::FolderLock(const std::string& folder) {
   make_folder(folder);
   descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ < 0) throw InputError(folder + ": " + std::strerror(errno));
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+  if (!lock_within_patience(descriptor_)) {
     close(descriptor_);
     throw InputError(folder + ": another mwt run is writing here; wait for it or choose another folder with --out");
   }
@@ -70,9 +78,12 @@ FolderLock::FolderLock(const std::string& folder) {
 
 FolderLock::~FolderLock() { close(descriptor_); }
 
+// Some file systems cannot; the rows are safe either way.
+void FolderLock::sync() const { static_cast<void>(fsync(descriptor_)); }
+
 ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool resume) : lock_(path) {
   const fs::path folder(path);
-  if (!resume) require_empty(folder);
+  if (!resume) require_empty(folder, "continue its study with --resume or choose another folder with --out");
   keep_study_file(folder, study);
   const auto open_file = [&](const char* name, const CsvRow& header) {
     return std::make_unique<CsvFile>((folder / name).string(), header);
@@ -80,8 +91,15 @@ ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool r
   run_file_ = open_file("runs.csv", header_of(run_columns()));
   instance_file_ = open_file("instances.csv", header_of(instance_columns()));
   environment_file_ = open_file("environments.csv", header_of(environment_columns()));
+  lock_.sync();
   runs_ = records_of(run_file_->existing_rows(), run_columns(), (folder / "runs.csv").string());
   instances_ = records_of(instance_file_->existing_rows(), instance_columns(), (folder / "instances.csv").string());
+}
+
+std::set<std::string> ResultsFolder::run_ids() const {
+  std::set<std::string> ids;
+  for (const RunRecord& record : runs_) ids.insert(record.run_id);
+  return ids;
 }
 
 void ResultsFolder::append(const RunRecord& record) {
@@ -98,14 +116,51 @@ void ResultsFolder::append(const EnvironmentRecord& record) {
   environment_file_->append(to_row(environment_columns(), record));
 }
 
-std::vector<RunRecord> read_runs(const std::string& folder) {
-  const std::string file = (fs::path(folder) / "runs.csv").string();
+namespace {
+
+template <class Record>
+std::vector<Record> read_file_of_records(const std::string& folder, const char* name,
+                                         const std::vector<Column<Record>>& columns) {
+  const std::string file = (fs::path(folder) / name).string();
   std::vector<CsvRow> rows = parse_csv(read_file(file));
-  if (rows.empty() || rows.front() != header_of(run_columns())) {
-    throw InputError(file + ": its columns are not those of schema version " + std::to_string(kSchemaVersion));
+  if (rows.empty() || rows.front() != header_of(columns)) {
+    throw InputError(file + ": its columns are not those of schema version " + std::to_string(kSchemaVersion) +
+                     "; run the study anew, or use the mwt that wrote them");
   }
   rows.erase(rows.begin());
-  return records_of(rows, run_columns(), file);
+  return records_of(rows, columns, file);
+}
+
+template <class Record>
+void write_file_of_records(const std::string& folder, const char* name, const std::vector<Column<Record>>& columns,
+                           const std::vector<Record>& records) {
+  std::string content = csv_line(header_of(columns));
+  for (const Record& record : records) content += csv_line(to_row(columns, record));
+  write_file_atomically((fs::path(folder) / name).string(), content);
+}
+
+}  // namespace
+
+std::vector<RunRecord> read_runs(const std::string& folder) {
+  return read_file_of_records(folder, "runs.csv", run_columns());
+}
+
+StudyRecords read_records(const std::string& folder) {
+  StudyRecords records;
+  records.study_file = read_file((fs::path(folder) / "study.toml").string());
+  records.runs = read_runs(folder);
+  records.instances = read_file_of_records(folder, "instances.csv", instance_columns());
+  records.environments = read_file_of_records(folder, "environments.csv", environment_columns());
+  return records;
+}
+
+void write_records(const std::string& folder, const StudyRecords& records) {
+  const FolderLock lock(folder);
+  require_empty(folder, "choose another folder");
+  write_file_atomically((fs::path(folder) / "study.toml").string(), records.study_file);
+  write_file_of_records(folder, "environments.csv", environment_columns(), records.environments);
+  write_file_of_records(folder, "instances.csv", instance_columns(), records.instances);
+  write_file_of_records(folder, "runs.csv", run_columns(), records.runs);
 }
 
 }  // namespace mwt

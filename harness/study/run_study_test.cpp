@@ -85,6 +85,26 @@ TEST(RunStudy, RowsOfGoodRunsAreComplete) {
   EXPECT_EQ(record.binary_sha256.size(), 64u);
 }
 
+TEST(RunStudy, TheYardstickIsMeasuredWhereAStudyAsksForIt) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well", "throws"});
+  run(study, folder.path("without"));
+  EXPECT_FALSE(by_algorithm(folder.path("without")).at("well").yardstick_time_s);
+  study.measures_yardstick = true;
+  run(study, folder.path("with"));
+  EXPECT_GT(by_algorithm(folder.path("with")).at("well").yardstick_time_s.value_or(0), 0);
+  EXPECT_FALSE(by_algorithm(folder.path("with")).at("throws").yardstick_time_s);
+}
+
+TEST(RunStudy, AShardMayBeEmpty) {
+  const TemporaryFolder folder;
+  std::ostringstream out;
+  RunOptions options{folder.path("out")};
+  options.shard = {3, 3};
+  EXPECT_EQ(run_study(study_of({"well"}), testing::test_catalogue(), options, out).runs, 0u);
+  EXPECT_TRUE(read_runs(folder.path("out")).empty());
+}
+
 TEST(RunStudy, AlphaComesFromTheOptimumSources) {
   const TemporaryFolder folder;
   Study study = study_of({"well"}, "fan");
@@ -139,6 +159,38 @@ TEST(RunStudy, AnotherStudySearchesNoOptimumAgain) {
   EXPECT_EQ(run_into("third", std::nullopt), "xxxx") << "without a cache";
 }
 
+TEST(RunStudy, OptimaThatRunsProveAreRemembered) {
+  const TemporaryFolder folder;
+  Study study = study_of({"fan_exact", "weak_bound", "well"}, "fan");
+  const auto run_into = [&](const std::string& name) {
+    std::ostringstream out;
+    return run_study(study, testing::test_catalogue(), {folder.path(name), false, 1, false, folder.path("optima")},
+                     out);
+  };
+  EXPECT_EQ(run_into("first").failures, 0u);
+  study.seeks_optimum = true;
+  study.optimum_sources = {{"fan_exact", {}, ""}};
+  EXPECT_EQ(run_into("second").failures, 0u);
+  EXPECT_NE(read_text(folder.path("second/instances.csv")).find(",cached\n"), std::string::npos);
+}
+
+TEST(RunStudy, RefusesToContinueWhatAnotherBuildBegan) {
+  const TemporaryFolder folder;
+  const Study study = study_of({"well", "chats"});
+  run(study, folder.path("out"));
+  StudyRecords records = read_records(folder.path("out"));
+  for (RunRecord& record : records.runs) record.binary_sha256 = "another";
+  write_records(folder.path("complete"), records);
+  EXPECT_EQ(run(study, folder.path("complete"), true).runs, 0u) << "nothing is missing";
+  records.runs.pop_back();
+  write_records(folder.path("begun"), records);
+  EXPECT_THROW(run(study, folder.path("begun"), true), InputError);
+  std::ostringstream out;
+  RunOptions options{folder.path("begun"), true};
+  options.accepts_other_build = true;
+  EXPECT_EQ(run_study(study, testing::test_catalogue(), options, out).runs, 1u);
+}
+
 // An entry that passes every check and is wrong all the same: an earlier version of a solver erred.
 TEST(RunStudy, ACachedOptimumThatExcludesAFreshOneIsReported) {
   const TemporaryFolder folder;
@@ -181,6 +233,37 @@ TEST(RunStudy, ResumingRunsExactlyWhatIsMissing) {
     run(study, folder.path("out"), true);
     EXPECT_EQ(essence(folder.path("out")), expected) << kept;
   }
+}
+
+std::string interrupt_log;
+
+// Sends Ctrl-C to the study the first time.
+Solution interrupt_once(Points points, Context& context) {
+  if (!std::filesystem::exists(interrupt_log)) {
+    write_text(interrupt_log, "x");
+    kill(getppid(), SIGINT);
+    return testing::hang(points, context);
+  }
+  return testing::solve_well(points, context);
+}
+
+TEST(RunStudy, CtrlCEndsItCleanlyAndResumeRunsTheRest) {
+  const TemporaryFolder folder;
+  interrupt_log = folder.path("log");
+  const std::vector<AlgorithmInfo> algorithms = {testing::entry("well", testing::solve_well),
+                                                 testing::entry("interrupts", interrupt_once)};
+  const Catalogue catalogue(algorithms, generators());
+  Study study = study_of({"well", "interrupts"});
+  study.repetitions = 3;
+  std::ostringstream out;
+  const StudyOutcome first = run_study(study, catalogue, {folder.path("out"), false, 1, false}, out);
+  EXPECT_TRUE(first.interrupted);
+  EXPECT_LT(first.runs, 6u);
+  EXPECT_NE(out.str().find("interrupted; the same command with --resume"), std::string::npos) << out.str();
+  EXPECT_EQ(read_runs(folder.path("out")).size(), first.runs) << "the run in flight is no row";
+  const StudyOutcome second = run_study(study, catalogue, {folder.path("out"), true, 1, false}, out);
+  EXPECT_FALSE(second.interrupted);
+  EXPECT_EQ(first.runs + second.runs, 6u);
 }
 
 TEST(RunStudy, ResumingOnNothingBegins) {

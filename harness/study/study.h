@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "harness/study/instance_files.h"
 
 namespace mwt {
 
@@ -47,12 +48,14 @@ struct Study {
   std::string summary;
   std::string file_content;  ///< copied into the results
   std::vector<FamilyChoice> families;
+  InstanceFiles instance_files;
   std::vector<Index> sizes;
   std::vector<std::uint64_t> seeds = {1};
   std::vector<AlgorithmChoice> algorithms;
   int repetitions = 1;
   int threads = 1;
-  double min_time_s = 0.005;  ///< executions are repeated until they fill this: steady times for microsecond runs
+  double min_time_s = 0.005;        ///< executions are repeated until they fill this: steady times for microsecond runs
+  bool measures_yardstick = false;  ///< every run also times CGAL's Delaunay triangulation of its points
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;
@@ -61,8 +64,9 @@ struct Study {
 
 /// Reads a study file. A parameter whose value is a list stands for one choice per element; several lists multiply.
 /// Throws InputError "FILE:LINE: what; remedy": not TOML, an unknown key, a value of the wrong type
-/// or range, a missing key. Names of families and algorithms are checked when the study is planned.
-[[nodiscard]] Study read_study(const std::string& path);
+/// or range, a missing key; an `instance_folder`, which replaces that of the study's point files, for a study without
+/// any. Names of families and algorithms are checked when the study is planned.
+[[nodiscard]] Study read_study(const std::string& path, const std::optional<std::string>& instance_folder = {});
 
 /// The path of a study: itself if it is a file or looks like a path, else a study of that name in the project's
 /// harness/studies. Throws InputError listing the known names.
