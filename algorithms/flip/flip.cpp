@@ -85,7 +85,7 @@ class FlipSearch {
 
   void flip(MeshEdge e) {
     const Edge removed = mesh_.labelled_edge(e);
-    const double gain = with_trace_ ? gain_of(mesh_, e) : 0;
+    const double gain = with_trace_ ? gain_of(mesh_, e) * mesh_.unit() : 0;
     mesh_.flip(e);
     ++result_.flips;
     if (with_trace_) result_.trace.push_back({removed, mesh_.labelled_edge(e), gain});

@@ -27,10 +27,10 @@ struct GreedyCounters {
 /// point. Deterministic.
 [[nodiscard]] Triangulation greedy_triangulation(Points points);
 
-/// Turns a mesh that is the Delaunay triangulation of `points` into their greedy triangulation. At the deadline of
+/// Turns a mesh that is the Delaunay triangulation of its points into their greedy triangulation. At the deadline of
 /// `context` it stops with a valid triangulation that is greedy up to some length and constrained Delaunay beyond.
 /// Other marks on edges survive where the edge does.
-GreedyCounters make_greedy(PlanarMesh& mesh, Points points, const Context& context);
+GreedyCounters make_greedy(PlanarMesh& mesh, const Context& context);
 
 [[nodiscard]] AlgorithmInfo greedy_entry();
 

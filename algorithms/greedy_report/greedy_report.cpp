@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "geometry/convex_hull.h"
-#include "geometry/edge_order.h"
+#include "algorithms/mesh/edge_order.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

@@ -2,7 +2,7 @@
 
 #include "algorithms/flip_report/flip_report.h"
 #include "algorithms/testing/instances.h"
-#include "geometry/edge_order.h"
+#include "algorithms/mesh/edge_order.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

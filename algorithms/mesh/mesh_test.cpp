@@ -136,7 +136,8 @@ TEST(EdgeOrder, IsTheExactOrderOnAllShapes) {
       const Edge one = make_edge(a, b), two = make_edge(c, d);
       const int lengths = compare_length(points[a], points[b], points[c], points[d]);
       const bool expected = lengths < 0 || (lengths == 0 && one < two);
-      EXPECT_EQ(precedes(edge_key(points, a, b), edge_key(points, d, c), points), expected) << shape.name;
+      const EdgeOrder order(points);
+      EXPECT_EQ(order.precedes(order.key(a, b), order.key(d, c)), expected) << shape.name;
     }
   }
 }
