@@ -5,16 +5,10 @@
 #include <vector>
 
 #include "algorithms/greedy/fixed_stars.h"
+#include "algorithms/greedy/wedge.h"
 #include "algorithms/mesh/planar_mesh.h"
 
 namespace mwt {
-
-/// The wedge between two fixed halfedges with one origin, counter-clockwise from `first` to `last`, nothing fixed
-/// between.
-struct Wedge {
-  Halfedge first;
-  Halfedge last;
-};
 
 /// One insertion after the other; keeps its arrays.
 class EarInsertion {

@@ -15,9 +15,11 @@ namespace mwt {
 /// kFixedMark as constraints.
 class GreedyBuilder {
  public:
-  GreedyBuilder(PlanarMesh& mesh, const Context& context)
+  /// Faces with more edges than `large_face` are broken up by certain ears first, for the cache's sake.
+  GreedyBuilder(PlanarMesh& mesh, const Context& context, std::size_t large_face = 10'000)
       : mesh_(mesh),
         context_(context),
+        large_face_(large_face),
         order_(mesh.points(), mesh.labels()),
         sorted_(mesh, order_),
         heap_(order_),
@@ -28,8 +30,17 @@ class GreedyBuilder {
 
  private:
   void fix_certain_edges();
+  void break_up_face();
+  void fix_certain_ears_at(MeshEdge e);
+  [[nodiscard]] bool is_open(const Wedge& wedge) const;
+  void take_certain_ear(const Wedge& wedge);
+  void fix_certain_around(MeshEdge e);
+  void fix_certain(MeshEdge e);
+  void look_around(MeshEdge e);
+
   void solve_face(MeshEdge e);
   void collect_face(MeshEdge e);
+  void work_off_queue();
   void start_queue();
   void empty_queue();
   void fetch_ahead(std::size_t next);
@@ -53,6 +64,7 @@ class GreedyBuilder {
 
   PlanarMesh& mesh_;
   const Context& context_;
+  std::size_t large_face_;
   EdgeOrder order_;
   EdgeSorter sorted_;
   CandidateHeap heap_;
@@ -60,6 +72,8 @@ class GreedyBuilder {
   EarInsertion insertion_;
   GreedyCounters counters_;
   std::uint64_t steps_ = 0;
+  std::vector<Halfedge> wedges_;  // to be looked at for certain ears; their first halfedges
+  std::size_t certain_ears_ = 0;
   std::vector<MeshEdge> face_;
   std::vector<MeshEdge> candidates_;
   std::size_t fetched_ = 0;
