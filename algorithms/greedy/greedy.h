@@ -22,7 +22,8 @@ struct GreedyCounters {
 /// Preconditions: distinct points, not all collinear, fewer than 2^28.
 /// Time O(n log n) in practice: less than two of CGAL's Delaunay triangulations on uniform, clustered, lattice and
 /// log-radial points; about five on a million points on a circle or along a spiral, where one face holds nearly all
-/// edges. An adversary can make edge insertions cost more. About 130 bytes per point. Deterministic.
+/// edges. An adversary can make edge insertions cost more. Less than 180 bytes per
+/// point. Deterministic.
 [[nodiscard]] Triangulation greedy_triangulation(Points points);
 
 /// Turns a mesh that is the Delaunay triangulation of its points into their greedy triangulation. At the deadline of

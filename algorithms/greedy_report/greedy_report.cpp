@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "geometry/convex_hull.h"
 #include "algorithms/mesh/edge_order.h"
+#include "geometry/convex_hull.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
