@@ -40,8 +40,8 @@ struct PreparedCell {
 };
 inline constexpr Index kLargestRatedN = 100'000;
 
-/// Generates the instance (seed 1), runs the algorithm once, checks its output, and looks for the optimum: in the
-/// optimum cache, then for half a minute with the exact algorithms.
+/// Generates the instance (seed 1), runs the algorithm once, checks its output, and looks for the optimum with the
+/// exact algorithms, half a minute each; once per instance.
 [[nodiscard]] PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell);
 
 /// The yardstick and an algorithm, timed in turns; ratios of the medians cancel what the machine does besides.
