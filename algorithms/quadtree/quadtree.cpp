@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/mesh/constraint_insertion.h"
+#include "algorithms/mesh/planar_mesh.h"
 #include "algorithms/quadtree/leaf_triangulation.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
@@ -83,7 +85,9 @@ QuadtreeTriangulation quadtree_triangulation(Points points, int capacity, Contex
   }
   result.constraints = constraints.size();
   const ScopedPhase phase(context, "merge");
-  result.triangulation = constrained_delaunay_triangulation(points, constraints);
+  PlanarMesh mesh = PlanarMesh::delaunay(points);
+  insert_constraints(mesh, constraints);
+  result.triangulation = mesh.triangulation();
   return result;
 }
 
@@ -93,6 +97,7 @@ AlgorithmInfo quadtree_entry() {
   info.summary = "optimal in the leaves of a quadtree, merged by a constrained Delaunay triangulation";
   info.source = "source report, section 5.4";
   info.guarantee = "none known";
+  info.version = 2;
   info.time = "O(n log n)";
   info.space = "O(n)";
   info.largest_n = 1'000'000;
