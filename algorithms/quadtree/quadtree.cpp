@@ -10,6 +10,7 @@
 #include "geometry/delaunay.h"
 #include "geometry/error.h"
 #include "geometry/quadtree.h"
+#include "geometry/scaling.h"
 
 namespace mwt {
 
@@ -76,6 +77,7 @@ Solution solve(Points points, Context& context) {
 }  // namespace
 
 QuadtreeTriangulation quadtree_triangulation(Points points, int capacity, Context& context) {
+  if (exact_scale(points) != 0) return quadtree_triangulation(exactly_scaled(points), capacity, context);
   QuadtreeTriangulation result;
   const Quadtree tree = timed_quadtree(points, capacity, context);
   std::vector<Edge> constraints;
