@@ -1,5 +1,6 @@
 #include "algorithms/flip/flip.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <queue>
@@ -50,20 +51,30 @@ class FlipSearch {
     return std::move(result_);
   }
 
+  // The flips possible at the start are sorted, so that it is known which mesh edges are needed soon; those that become
+  // possible later go through a heap.
   FlipResult best_first() {
-    std::vector<GainAt> possible;
+    std::vector<GainAt> first;
     for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
-      if (improves(mesh_, e)) possible.emplace_back(gain_of(mesh_, e), e);
+      if (improves(mesh_, e)) first.emplace_back(gain_of(mesh_, e), e);
     }
-    std::priority_queue<GainAt> queue(std::less<GainAt>(), std::move(possible));
-    while (!queue.empty() && !out_of_time()) {
-      const auto [gain, e] = queue.top();
-      queue.pop();
+    std::sort(first.begin(), first.end(), std::greater<GainAt>());
+    std::priority_queue<GainAt> later;
+    std::size_t next = 0;
+    while ((next < first.size() || !later.empty()) && !out_of_time()) {
+      const bool is_first = later.empty() || (next < first.size() && later.top() < first[next]);
+      const GainAt best = is_first ? first[next] : later.top();
+      if (is_first) {
+        fetch_ahead(first, next++);
+      } else {
+        later.pop();
+      }
+      const auto [gain, e] = best;
       // Flips nearby may have changed the quadrilateral; then a newer entry speaks for it.
       if (gain != gain_of(mesh_, e) || !improves(mesh_, e)) continue;
       flip(e);
       for (const MeshEdge side : sides(e)) {
-        if (improves(mesh_, side)) queue.push({gain_of(mesh_, side), side});
+        if (improves(mesh_, side)) later.push({gain_of(mesh_, side), side});
       }
     }
     return std::move(result_);
@@ -71,6 +82,25 @@ class FlipSearch {
 
  private:
   using GainAt = std::pair<double, MeshEdge>;
+
+  // Asks for what the coming flips need: first the records, then the sides, then what lies beyond them.
+  void fetch_ahead(const std::vector<GainAt>& coming, std::size_t next) const {
+    constexpr std::size_t kFar = 24, kMiddle = 16, kNear = 8;
+    if (next + kFar >= coming.size()) return;
+    mesh_.prefetch(coming[next + kFar].second);
+    const MeshEdge middle = coming[next + kMiddle].second;
+    mesh_.prefetch_point(mesh_.origin(2 * middle));
+    mesh_.prefetch_point(mesh_.target(2 * middle));
+    for (const MeshEdge side : sides(middle)) mesh_.prefetch(side);
+    const MeshEdge near = coming[next + kNear].second;
+    for (const Halfedge h : {2 * near, 2 * near + 1}) {
+      mesh_.prefetch_point(mesh_.apex(h));
+      for (const Halfedge side : {twin(mesh_.next(h)), twin(mesh_.previous(h))}) {
+        mesh_.prefetch(edge_of(mesh_.next(side)));
+        mesh_.prefetch(edge_of(mesh_.previous(side)));
+      }
+    }
+  }
 
   [[nodiscard]] std::array<MeshEdge, 4> sides(MeshEdge e) const {
     const Halfedge h = 2 * e;
@@ -85,7 +115,7 @@ class FlipSearch {
 
   void flip(MeshEdge e) {
     const Edge removed = mesh_.labelled_edge(e);
-    const double gain = with_trace_ ? gain_of(mesh_, e) : 0;
+    const double gain = with_trace_ ? gain_of(mesh_, e) * mesh_.unit() : 0;
     mesh_.flip(e);
     ++result_.flips;
     if (with_trace_) result_.trace.push_back({removed, mesh_.labelled_edge(e), gain});

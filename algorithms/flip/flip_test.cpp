@@ -5,6 +5,7 @@
 #include "algorithms/greedy/greedy.h"
 #include "algorithms/mesh/shapes_for_tests.h"
 #include "algorithms/start/start.h"
+#include "algorithms/testing/instances.h"
 #include "geometry/checker.h"
 #include "geometry/delaunay.h"
 #include "geometry/error.h"
@@ -14,20 +15,11 @@ namespace mwt {
 
 namespace {
 
+using test::context_for;
 using test::make_shape;
 using test::Shape;
 using test::shapes;
-
-Context context_for(const std::map<std::string, std::string>& given) {
-  Context context;
-  context.parameters = Parameters("flip", flip_entry().parameters, given);
-  return context;
-}
-
-Solution solve(Points points, const std::map<std::string, std::string>& given) {
-  Context context = context_for(given);
-  return flip_entry().function(points, context);
-}
+using test::solve_checked;
 
 TEST(Flip, EndsAtAValidLocalOptimumOnAllShapes) {
   for (const Shape& shape : shapes()) {
@@ -35,7 +27,7 @@ TEST(Flip, EndsAtAValidLocalOptimumOnAllShapes) {
       const std::vector<Point> points = make_shape(shape, n, n);
       for (const std::string start : {"delaunay", "sweep", "quadtree", "random"}) {
         for (const std::string order : {"stack", "best"}) {
-          const Solution solution = solve(points, {{"start", start}, {"order", order}});
+          const Solution solution = solve_checked(flip_entry(), points, {{"start", start}, {"order", order}});
           const auto violation = find_violation(points, solution.triangulation);
           EXPECT_FALSE(violation) << shape.name << " n=" << n << ' ' << start << ": " << violation->message;
           EXPECT_TRUE(is_flip_optimal(PlanarMesh(points, solution.triangulation))) << shape.name << " n=" << n;
@@ -51,7 +43,8 @@ TEST(Flip, FindsNothingToDoOnGreedy) {
     for (const std::size_t n : {10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n + 1);
       for (const std::string order : {"stack", "best"}) {
-        EXPECT_EQ(solve(points, {{"start", "greedy"}, {"order", order}}).counters.at("flips"), 0) << shape.name;
+        EXPECT_EQ(solve_checked(flip_entry(), points, {{"start", "greedy"}, {"order", order}}).counters.at("flips"), 0)
+            << shape.name;
       }
     }
   }
@@ -59,7 +52,7 @@ TEST(Flip, FindsNothingToDoOnGreedy) {
 
 TEST(Flip, IsNeverWorseThanItsStartAndSumsItsGains) {
   const std::vector<Point> points = make_shape(shapes().front(), 500, 1);
-  Context context = context_for({{"start", "random"}, {"trace", "on"}});
+  Context context = context_for(flip_entry(), {{"start", "random"}, {"trace", "on"}});
   const double before = weight(points, start_mesh(points, context).triangulation()).middle();
   const Solution solution = flip_entry().function(points, context);
   ASSERT_EQ(static_cast<double>(solution.flips.size()), solution.counters.at("flips"));
@@ -71,18 +64,31 @@ TEST(Flip, IsNeverWorseThanItsStartAndSumsItsGains) {
   EXPECT_NEAR(before - gains, weight(points, solution.triangulation).middle(), 1e-9);
 }
 
+TEST(Flip, TellsGainsInTheUnitsOfThePoints) {
+  std::vector<Point> points = make_shape(shapes().front(), 100, 1);
+  const std::vector<Flip> flips = solve_checked(flip_entry(), points, {{"trace", "on"}}).flips;
+  for (Point& p : points) p = {p.x * 0x1p900, p.y * 0x1p900};
+  const std::vector<Flip> larger = solve_checked(flip_entry(), points, {{"trace", "on"}}).flips;
+  ASSERT_EQ(larger.size(), flips.size());
+  for (std::size_t i = 0; i < flips.size(); ++i) {
+    EXPECT_EQ(larger[i].added, flips[i].added);
+    EXPECT_NEAR(larger[i].gain * 0x1p-900, flips[i].gain, 1e-14);
+  }
+}
+
 TEST(Flip, TakesTheLargestGainFirst) {
   const std::vector<Point> points = make_shape(shapes().front(), 300, 2);
-  const Solution best = solve(points, {{"order", "best"}, {"trace", "on"}});
+  const Solution best = solve_checked(flip_entry(), points, {{"order", "best"}, {"trace", "on"}});
   ASSERT_FALSE(best.flips.empty());
   // The stack's first flip was possible at the start, so it gains no more.
-  EXPECT_LE(solve(points, {{"trace", "on"}}).flips.front().gain, best.flips.front().gain);
-  EXPECT_LE(weight(points, best.triangulation).upper, weight(points, solve(points, {}).triangulation).lower);
+  EXPECT_LE(solve_checked(flip_entry(), points, {{"trace", "on"}}).flips.front().gain, best.flips.front().gain);
+  EXPECT_LE(weight(points, best.triangulation).upper,
+            weight(points, solve_checked(flip_entry(), points, {}).triangulation).lower);
 }
 
 TEST(Flip, StartsFromHullInsertion) {
   const std::vector<Point> points = make_shape(shapes().front(), 300, 3);
-  const Solution solution = solve(points, {{"start", "hull_insertion"}});
+  const Solution solution = solve_checked(flip_entry(), points, {{"start", "hull_insertion"}});
   EXPECT_FALSE(find_violation(points, solution.triangulation));
   EXPECT_GT(solution.counters.at("flips"), 0);
   EXPECT_TRUE(is_flip_optimal(PlanarMesh(points, solution.triangulation)));
@@ -90,7 +96,7 @@ TEST(Flip, StartsFromHullInsertion) {
 
 TEST(Flip, StartsFromAGivenTriangulation) {
   const std::vector<Point> points = make_shape(shapes().front(), 200, 3);
-  Context context = context_for({{"start", "mine.tri"}});
+  Context context = context_for(flip_entry(), {{"start", "mine.tri"}});
   EXPECT_THROW((void)flip_entry().function(points, context), InputError);
   context.start = greedy_triangulation(points);
   const Solution solution = flip_entry().function(points, context);
@@ -100,7 +106,7 @@ TEST(Flip, StartsFromAGivenTriangulation) {
 TEST(Flip, IsDeterministicForASeed) {
   const std::vector<Point> points = make_shape(shapes().front(), 1000, 4);
   const auto edges = [&](std::uint64_t seed) {
-    Context context = context_for({{"start", "random"}});
+    Context context = context_for(flip_entry(), {{"start", "random"}});
     context.seed = seed;
     return edges_of(flip_entry().function(points, context).triangulation);
   };
@@ -111,7 +117,7 @@ TEST(Flip, IsDeterministicForASeed) {
 TEST(Flip, StopsAtTheDeadline) {
   const std::vector<Point> points = make_shape(shapes().front(), 20000, 5);
   for (const std::string order : {"stack", "best"}) {
-    Context context = context_for({{"start", "random"}, {"order", order}});
+    Context context = context_for(flip_entry(), {{"start", "random"}, {"order", order}});
     context.deadline = Context::Clock::now();
     const Solution solution = flip_entry().function(points, context);
     EXPECT_TRUE(solution.stopped_early);

@@ -18,52 +18,6 @@ double rounded_squared_length(const PlanarMesh& mesh, MeshEdge e) {
 
 int bits_of(std::uint64_t value) { return static_cast<int>(std::bit_width(value)); }
 
-struct KeyedEdge {
-  EdgeKey key;
-  MeshEdge edge;
-};
-
-// Sorts by (low, high) without comparing: by `high` first, then stably by `low`.
-void sort_by_labels(std::span<KeyedEdge> edges) {
-  const int place_bits = bits_of(edges.size());
-  Index largest = 0;
-  for (const KeyedEdge& e : edges) largest = std::max(largest, e.key.high);
-  const int key_end = place_bits + bits_of(largest);
-  const std::uint64_t place_mask = (std::uint64_t{1} << place_bits) - 1;
-  HugeVector<std::uint64_t> order, buffer;
-  order.reserve(edges.size());
-  for (std::uint64_t i = 0; i < edges.size(); ++i)
-    order.push_back((std::uint64_t{edges[i].key.high} << place_bits) | i);
-  radix_sort(order, place_bits, key_end, buffer);
-  for (std::uint64_t& entry : order) {
-    const std::uint64_t place = entry & place_mask;
-    entry = (std::uint64_t{edges[place].key.low} << place_bits) | place;
-  }
-  radix_sort(order, place_bits, key_end, buffer);
-  std::vector<KeyedEdge> sorted;
-  sorted.reserve(edges.size());
-  for (const std::uint64_t entry : order) sorted.push_back(edges[entry & place_mask]);
-  std::copy(sorted.begin(), sorted.end(), edges.begin());
-}
-
-// Whether all edges have equal lengths: exactly known ones, or differences of coordinates that are the same but for
-// signs.
-bool all_of_one_length(std::span<const KeyedEdge> edges, Points points) {
-  return std::all_of(edges.begin(), edges.end(),
-                     [&](const KeyedEdge& e) { return have_equal_lengths(e.key, edges.front().key, points); });
-}
-
-// Sorts edges whose squared lengths are sorted as far as double-doubles go.
-void sort_nearly_equal(std::span<KeyedEdge> edges, Points points) {
-  constexpr std::size_t kManyEdges = 64;
-  if (edges.size() > kManyEdges && all_of_one_length(edges, points)) {
-    sort_by_labels(edges);
-  } else {
-    std::sort(edges.begin(), edges.end(),
-              [&](const KeyedEdge& a, const KeyedEdge& b) { return precedes(a.key, b.key, points); });
-  }
-}
-
 }  // namespace
 
 void EdgeSorter::sort(std::span<const MeshEdge> edges) {
@@ -113,19 +67,12 @@ void EdgeSorter::sort_undecided_runs() {
 }
 
 void EdgeSorter::sort_exactly(std::size_t first, std::size_t last) {
-  std::vector<KeyedEdge> run;
-  run.reserve(last - first);
+  run_.clear();
   for (std::size_t i = first; i < last; ++i) {
-    const Edge ends = mesh_.labelled_edge(edge(i));
-    run.push_back({edge_key(points_, ends.a, ends.b), edge(i)});
+    run_.push_back(order_.key(mesh_.origin(2 * edge(i)), mesh_.target(2 * edge(i)), edge(i)));
   }
-  std::sort(run.begin(), run.end(),
-            [](const KeyedEdge& a, const KeyedEdge& b) { return a.key.squared_length < b.key.squared_length; });
-  for (std::size_t start = 0, end = 1; start < run.size(); start = end++) {
-    while (end < run.size() && !is_surely_shorter(run[end - 1].key, run[end].key)) ++end;
-    if (end - start > 1) sort_nearly_equal(std::span(run).subspan(start, end - start), points_);
-  }
-  for (std::size_t i = first; i < last; ++i) keys_[i] = (keys_[i] & ~kEdgeMask) | run[i - first].edge;
+  order_.sort(run_);
+  for (std::size_t i = first; i < last; ++i) keys_[i] = (keys_[i] & ~kEdgeMask) | run_[i - first].tag;
 }
 
 // Squared lengths with the same exponent and 6 leading bits share a bucket; all beyond the range in which they can be
@@ -137,16 +84,37 @@ constexpr int kBucketShift = 46;
 constexpr std::uint64_t kMargin = 64;
 
 std::uint64_t length_bits(const Candidate& candidate) {
-  return std::bit_cast<std::uint64_t>(std::clamp(candidate.key.squared_length.high, 1e-250, 1e290));
+  return std::bit_cast<std::uint64_t>(
+      std::clamp(candidate.key().squared_length.high, EdgeOrder::kSmallestTrusted, EdgeOrder::kLargestTrusted));
 }
+
+std::uint64_t bucket_of(const Candidate& candidate) { return (length_bits(candidate) - kMargin) >> kBucketShift; }
+
+std::uint64_t least_length_bits(std::uint64_t bucket) { return (bucket << kBucketShift) + kMargin; }
 
 }  // namespace
 
-std::uint64_t CandidateHeap::bucket_of(const Candidate& candidate) {
-  return (length_bits(candidate) - kMargin) >> kBucketShift;
+void CandidateHeap::push(const Candidate& candidate) {
+  if (open_bucket_ != kLastBucket) {
+    if (const std::uint64_t bucket = bucket_of(candidate); bucket > open_bucket_) {
+      waiting_[bucket].push_back(candidate);
+      return open_due_buckets();
+    }
+  }
+  heap_.push_back(candidate);
+  std::push_heap(heap_.begin(), heap_.end(), later_);
+  if (heap_.size() > kLargeHeap && open_bucket_ == kLastBucket) set_long_ones_aside();
 }
 
-std::uint64_t CandidateHeap::least_length_bits(std::uint64_t bucket) { return (bucket << kBucketShift) + kMargin; }
+void CandidateHeap::pop() {
+  if (heap_is_first()) {
+    std::pop_heap(heap_.begin(), heap_.end(), later_);
+    heap_.pop_back();
+  } else {
+    ++next_;
+  }
+  if (!waiting_.empty()) open_due_buckets();
+}
 
 void CandidateHeap::set_long_ones_aside() {
   open_bucket_ = bucket_of(heap_.front());
@@ -163,13 +131,16 @@ void CandidateHeap::set_long_ones_aside() {
 void CandidateHeap::open_due_buckets() {
   while (!waiting_.empty()) {
     const auto first = waiting_.begin();
-    const bool top_is_ahead =
-        !heap_.empty() && length_bits(heap_.front()) + kMargin / 2 < least_length_bits(first->first);
-    if (top_is_ahead) return;
-    open_bucket_ = first->first;
-    heap_.insert(heap_.end(), first->second.begin(), first->second.end());
-    std::make_heap(heap_.begin(), heap_.end(), later_);
-    waiting_.erase(first);
+    if (!empty() && length_bits(top()) + kMargin / 2 < least_length_bits(first->first)) return;
+    sorted_.erase(sorted_.begin(), sorted_.begin() + static_cast<std::ptrdiff_t>(next_));
+    next_ = 0;
+    while (!waiting_.empty() && sorted_.size() < kLargeBucket) {
+      const auto opened = waiting_.begin();
+      open_bucket_ = opened->first;
+      sorted_.insert(sorted_.end(), opened->second.begin(), opened->second.end());
+      waiting_.erase(opened);
+    }
+    std::sort(sorted_.begin(), sorted_.end(), [this](const Candidate& x, const Candidate& y) { return later_(y, x); });
   }
   open_bucket_ = kLastBucket;
 }

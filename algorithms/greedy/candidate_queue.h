@@ -13,21 +13,36 @@
 namespace mwt {
 
 /// What may become greedy's next edge.
-struct Candidate {
-  EdgeKey key;
-  enum class Kind : std::uint8_t {
-    edge,  ///< a mesh edge, found at `place`
-    ear    ///< the third side of a wedge; `place` is the wedge's first halfedge, which is fixed and so stays
-  } kind = Kind::edge;
-  Halfedge place = 0;
+class Candidate {
+ public:
+  /// A mesh edge, as long as it is not flipped away.
+  [[nodiscard]] static Candidate edge(const PlanarMesh& mesh, const EdgeOrder& order, MeshEdge e) {
+    return Candidate(order.key(mesh.origin(2 * e), mesh.target(2 * e), 2 * e));
+  }
+  /// The third side of a wedge, named by its first halfedge, which is fixed and so stays.
+  [[nodiscard]] static Candidate ear(const PlanarMesh& mesh, const EdgeOrder& order, Halfedge first, Halfedge last) {
+    return Candidate(order.key(mesh.target(first), mesh.target(last), kEarBit | first));
+  }
+
+  [[nodiscard]] const EdgeKey& key() const { return key_; }
+  [[nodiscard]] bool is_ear() const { return (key_.tag & kEarBit) != 0; }
+  [[nodiscard]] Halfedge place() const { return key_.tag & ~kEarBit; }
+  [[nodiscard]] bool joins(Index a, Index b) const {
+    return (key_.a == a && key_.b == b) || (key_.a == b && key_.b == a);
+  }
+
+ private:
+  static constexpr std::uint32_t kEarBit = std::uint32_t{1} << 31;  // a mesh has fewer than 3 * 2^29 halfedges
+  explicit Candidate(const EdgeKey& key) : key_(key) {}
+
+  EdgeKey key_;
 };
 
 /// Sorts mesh edges in greedy's order. O(n) for many edges: radix sort by squared length in floating point, then exact
 /// sorting within the runs that rounding leaves undecided. Keeps its buffers for the next call.
 class EdgeSorter {
  public:
-  /// `points` in the caller's numbering.
-  EdgeSorter(const PlanarMesh& mesh, Points points) : mesh_(mesh), points_(points) {}
+  EdgeSorter(const PlanarMesh& mesh, const EdgeOrder& order) : mesh_(mesh), order_(order) {}
 
   /// Afterwards edge(0), edge(1), ... are `edges` in order.
   void sort(std::span<const MeshEdge> edges);
@@ -45,56 +60,53 @@ class EdgeSorter {
   [[nodiscard]] bool surely_increases(std::size_t i) const;
 
   const PlanarMesh& mesh_;
-  Points points_;
+  const EdgeOrder& order_;
   HugeVector<std::uint64_t> keys_;  // high bits: truncated squared length; low bits: edge
   HugeVector<std::uint64_t> buffer_;
+  std::vector<EdgeKey> run_;
   std::uint64_t smallest_bits_ = 0;
   int dropped_bits_ = 0;
 };
 
 /// A priority queue of candidates that came up on the way, for use in increasing order: nothing is pushed that precedes
-/// what was popped before. Once it is large, long candidates wait unsorted in buckets by length, so that the heap
-/// proper stays in the cache.
+/// what was popped before. Once there are many, long ones wait unsorted in buckets by length; a bucket is sorted when
+/// its turn comes, and only what is pushed after that goes through a heap. So nearly all that comes next is known.
 class CandidateHeap {
  public:
-  explicit CandidateHeap(Points points) : later_{points} {}
+  explicit CandidateHeap(const EdgeOrder& order) : later_{&order} {}
 
-  [[nodiscard]] bool empty() const { return heap_.empty(); }
-  [[nodiscard]] const Candidate& top() const { return heap_.front(); }
+  [[nodiscard]] bool empty() const { return heap_.empty() && next_ == sorted_.size(); }
+  /// The first candidate. Precondition: not empty.
+  [[nodiscard]] const Candidate& top() const { return heap_is_first() ? heap_.front() : sorted_[next_]; }
 
-  void push(const Candidate& candidate) {
-    if (const std::uint64_t bucket = bucket_of(candidate); bucket > open_bucket_) {
-      waiting_[bucket].push_back(candidate);
-    } else {
-      heap_.push_back(candidate);
-      std::push_heap(heap_.begin(), heap_.end(), later_);
-      if (heap_.size() > kLargeHeap && open_bucket_ == kLastBucket) set_long_ones_aside();
-    }
-    if (!waiting_.empty()) open_due_buckets();
-  }
+  void push(const Candidate& candidate);
+  void pop();
 
-  void pop() {
-    std::pop_heap(heap_.begin(), heap_.end(), later_);
-    heap_.pop_back();
-    if (!waiting_.empty()) open_due_buckets();
+  /// The candidate that will probably be on top after `steps` pops, if that is known.
+  [[nodiscard]] const Candidate* ahead(std::size_t steps) const {
+    return next_ + steps < sorted_.size() ? &sorted_[next_ + steps] : nullptr;
   }
 
  private:
   static constexpr std::size_t kLargeHeap = 4096;
+  static constexpr std::size_t kLargeBucket = 1024;
   static constexpr std::uint64_t kLastBucket = ~std::uint64_t{0};
 
   struct Later {
-    Points points;
-    bool operator()(const Candidate& a, const Candidate& b) const { return precedes(b.key, a.key, points); }
+    const EdgeOrder* order;
+    bool operator()(const Candidate& a, const Candidate& b) const { return order->precedes(b.key(), a.key()); }
   };
 
-  [[nodiscard]] static std::uint64_t bucket_of(const Candidate& candidate);
-  [[nodiscard]] static std::uint64_t least_length_bits(std::uint64_t bucket);
+  [[nodiscard]] bool heap_is_first() const {
+    return next_ == sorted_.size() || (!heap_.empty() && later_(sorted_[next_], heap_.front()));
+  }
   void set_long_ones_aside();
   void open_due_buckets();
 
   Later later_;
   std::vector<Candidate> heap_;
+  std::vector<Candidate> sorted_;  // an opened bucket; those from next_ on are still in the queue
+  std::size_t next_ = 0;
   std::uint64_t open_bucket_ = kLastBucket;  // candidates of this bucket and of those before it go to the heap
   std::map<std::uint64_t, std::vector<Candidate>> waiting_;
 };

@@ -5,12 +5,10 @@
 #include <set>
 #include <unordered_map>
 
+#include "algorithms/greedy/greedy_marks.h"
 #include "algorithms/mesh/planar_mesh.h"
 
 namespace mwt {
-
-/// Mark of an edge that greedy has chosen.
-inline constexpr std::uint32_t kFixedMark = 2;
 
 /// Finds the fixed neighbours of a halfedge in the rotation about its origin. Where a scan of the star takes more than
 /// a few steps, the vertex gets an ordered set of its fixed halfedges (which no flip moves), so that a query costs

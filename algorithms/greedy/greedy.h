@@ -20,17 +20,16 @@ struct GreedyCounters {
 /// From the Delaunay triangulation by keeping a constrained Delaunay triangulation of the edges taken so far; the lemma
 /// that makes this right, and its proof, are in README.md.
 /// Preconditions: distinct points, not all collinear, fewer than 2^28.
-/// Time O(n log n) in practice: 1.6 to 2 times CGAL's Delaunay triangulation on uniform, clustered, lattice and
-/// log-radial points; several times more on points on a circle or a spiral, where nearly all edges share one face and
-/// are visited in an order that no cache likes. An adversary can make edge insertions cost more. Coordinates whose
-/// squares leave the range of doubles are handled exactly, but every decision takes microseconds. About 130 bytes per
+/// Time O(n log n) in practice: less than two of CGAL's Delaunay triangulations on uniform, clustered, lattice and
+/// log-radial points; about five on a million points on a circle or along a spiral, where one face holds nearly all
+/// edges. An adversary can make edge insertions cost more. Less than 180 bytes per
 /// point. Deterministic.
 [[nodiscard]] Triangulation greedy_triangulation(Points points);
 
-/// Turns a mesh that is the Delaunay triangulation of `points` into their greedy triangulation. At the deadline of
+/// Turns a mesh that is the Delaunay triangulation of its points into their greedy triangulation. At the deadline of
 /// `context` it stops with a valid triangulation that is greedy up to some length and constrained Delaunay beyond.
 /// Other marks on edges survive where the edge does.
-GreedyCounters make_greedy(PlanarMesh& mesh, Points points, const Context& context);
+GreedyCounters make_greedy(PlanarMesh& mesh, const Context& context);
 
 [[nodiscard]] AlgorithmInfo greedy_entry();
 

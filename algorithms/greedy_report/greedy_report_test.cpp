@@ -1,8 +1,8 @@
 #include "algorithms/greedy_report/greedy_report.h"
 
 #include "algorithms/flip_report/flip_report.h"
+#include "algorithms/mesh/edge_order.h"
 #include "algorithms/testing/instances.h"
-#include "geometry/edge_order.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

@@ -9,6 +9,7 @@
 #include "algorithms/hull_insertion/split_distribution.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
 #include "geometry/convex_hull.h"
+#include "geometry/scaling.h"
 
 namespace mwt {
 
@@ -70,6 +71,7 @@ Solution solve(Points points, Context& context) {
 }  // namespace
 
 HullInsertion hull_insertion(Points points, InsertionOrder order, std::uint64_t seed, Context& context) {
+  if (exact_scale(points) != 0) return hull_insertion(exactly_scaled(points), order, seed, context);
   const std::vector<Index> hull = hull_within_limit(points);
   std::vector<Triangle> hull_triangles;
   {

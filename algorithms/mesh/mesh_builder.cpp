@@ -1,10 +1,12 @@
 #include "algorithms/mesh/mesh_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "algorithms/mesh/spatial_order.h"
+#include "geometry/scaling.h"
 
 namespace mwt {
 
@@ -17,7 +19,11 @@ constexpr std::uint32_t kNumbered = std::uint32_t{1} << 31;  // in place of a tw
 MeshBuilder::MeshBuilder(Points points) {
   mesh_.labels_ = spatial_order(points);
   mesh_.points_.reserve(points.size());
-  for (const Index i : mesh_.labels_) mesh_.points_.push_back(points[i]);
+  const int scale = exact_scale(points);
+  mesh_.unit_ = std::scalbn(1.0, scale);
+  for (const Index i : mesh_.labels_) {
+    mesh_.points_.push_back(scale == 0 ? points[i] : scaled_down(points[i], scale));
+  }
 }
 
 PlanarMesh MeshBuilder::delaunay() { return build(delaunay_triangles(mesh_.points_)); }

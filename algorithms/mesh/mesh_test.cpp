@@ -125,6 +125,22 @@ TEST(PlanarMesh, ReadsWhatItWrites) {
   }
 }
 
+TEST(PlanarMesh, IsTheSameForCoordinatesOfExtremeSize) {
+  for (const Shape& shape : shapes()) {
+    if (shape.largest_n < 300) continue;  // of extreme size already
+    const std::vector<Point> points = make_shape(shape, 300, 9);
+    const auto triangles = PlanarMesh::delaunay(points).triangulation().triangles;
+    for (const double unit : {0x1p900, 0x1p-900}) {
+      std::vector<Point> scaled = points;
+      for (Point& p : scaled) p = {p.x * unit, p.y * unit};
+      const PlanarMesh mesh = PlanarMesh::delaunay(scaled);
+      EXPECT_EQ(mesh.triangulation().triangles, triangles) << shape.name << ' ' << unit;
+      const Point p = mesh.point(0), original = scaled[mesh.label(0)];
+      EXPECT_EQ(p.x * mesh.unit(), original.x) << shape.name;
+    }
+  }
+}
+
 TEST(EdgeOrder, IsTheExactOrderOnAllShapes) {
   for (const Shape& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 40, 7);
@@ -136,7 +152,8 @@ TEST(EdgeOrder, IsTheExactOrderOnAllShapes) {
       const Edge one = make_edge(a, b), two = make_edge(c, d);
       const int lengths = compare_length(points[a], points[b], points[c], points[d]);
       const bool expected = lengths < 0 || (lengths == 0 && one < two);
-      EXPECT_EQ(precedes(edge_key(points, a, b), edge_key(points, d, c), points), expected) << shape.name;
+      const EdgeOrder order(points);
+      EXPECT_EQ(order.precedes(order.key(a, b), order.key(d, c)), expected) << shape.name;
     }
   }
 }

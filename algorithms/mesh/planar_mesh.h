@@ -37,6 +37,7 @@ inline constexpr std::uint32_t kHullMark = 1;
 /// Points are renumbered along a space-filling curve and edges along the points, so that what is near in the plane is
 /// near in memory; label() leads back to the caller's numbers. The outer face is linked like a triangle's, clockwise
 /// around the hull, so that rotating about a vertex needs no special case; its edges carry kHullMark.
+/// Coordinates of extreme size are divided by a power of two (geometry/scaling.h): unit() leads back.
 ///
 /// Properties, kept by every member:
 ///   (1) faces left of halfedges are counter-clockwise triangles, except the outer one;
@@ -71,6 +72,10 @@ class PlanarMesh {
   /// The points in the mesh's numbering and the caller's number of each.
   [[nodiscard]] const Point& point(Index v) const { return points_[v]; }
   [[nodiscard]] Index label(Index v) const { return labels_[v]; }
+  [[nodiscard]] Points points() const { return points_; }
+  [[nodiscard]] std::span<const Index> labels() const { return labels_; }
+  /// The length in the caller's coordinates of what has length 1 in the mesh: 1 except for extreme coordinates.
+  [[nodiscard]] double unit() const { return unit_; }
   [[nodiscard]] Edge labelled_edge(MeshEdge e) const;
 
   /// Replaces e by the other diagonal of the quadrilateral formed by its two triangles, turning it counter-clockwise,
@@ -101,6 +106,7 @@ class PlanarMesh {
   HugeVector<Point> points_;
   std::vector<Index> labels_;
   HugeVector<EdgeRecord> edges_;
+  double unit_ = 1;
 };
 
 }  // namespace mwt

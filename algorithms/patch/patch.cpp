@@ -18,7 +18,7 @@ constexpr std::array<std::uint32_t, 2> kQueuedMarks = {512, 1024};  // the trian
 class PatchSearch {
  public:
   PatchSearch(PlanarMesh& mesh, const PatchOptions& options, const Context& context)
-      : mesh_(mesh), options_(options), context_(context), polygon_(mesh) {}
+      : mesh_(mesh), options_(options), context_(context), polygon_(mesh, options.k) {}
 
   PatchResult run() {
     for (Halfedge h = 0; h < 2 * mesh_.edge_count(); ++h) {
@@ -28,7 +28,8 @@ class PatchSearch {
       std::vector<Halfedge> round;
       round.swap(queue_);
       for (const Halfedge h : round) {
-        mesh_.marks(edge_of(h)) &= ~kQueuedMarks[h & 1];
+        if ((mesh_.marks(edge_of(h)) & kQueuedMarks[h & 1]) == 0) continue;
+        unqueue(h);
         if (out_of_time()) return clean_up();
         try_patch(h);
       }
@@ -51,11 +52,18 @@ class PatchSearch {
     queue_.push_back(name);
   }
 
+  void unqueue(Halfedge h) { mesh_.marks(edge_of(h)) &= ~kQueuedMarks[h & 1]; }
+
   void try_patch(Halfedge h) {
     polygon_.grow(h, options_.k, options_.walls ? kWallMark : 0);
     ++result_.patches;
+    // No patch reaches beyond an enclosed one, and this one will be optimal: nothing is left to do for its triangles.
+    if (polygon_.is_enclosed()) {
+      for (const Halfedge triangle : polygon_.triangles()) unqueue(triangle);
+    }
     if (!polygon_.improve()) return;
     ++result_.improved;
+    if (polygon_.is_enclosed()) return;
     for (const Halfedge side : polygon_.boundary()) {
       enqueue(side);
       if (!is_outer(twin(side))) enqueue(twin(side));

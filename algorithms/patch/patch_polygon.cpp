@@ -9,6 +9,12 @@
 
 namespace mwt {
 
+PatchPolygon::PatchPolygon(PlanarMesh& mesh, int largest_k)
+    : mesh_(mesh),
+      row_length_(static_cast<std::size_t>(largest_k) + 2),
+      costs_(row_length_ * row_length_),
+      apexes_(costs_.size()) {}
+
 Halfedge PatchPolygon::name_of_triangle(Halfedge side) const {
   return std::min(side, std::min(mesh_.next(side), mesh_.previous(side)));
 }
@@ -44,19 +50,25 @@ void PatchPolygon::grow(Halfedge start, int k, std::uint32_t closed) {
       grew = true;
     }
   }
+  is_enclosed_ = std::none_of(links_.begin(), links_.end(), [&](const Link& l) { return is_open(l.side, closed); });
+  collect_boundary();
+}
+
+void PatchPolygon::collect_boundary() {
   boundary_.clear();
   corners_.clear();
+  places_.clear();
   std::size_t link = 0;
   do {
     boundary_.push_back(links_[link].side);
     corners_.push_back(mesh_.origin(links_[link].side));
+    places_.push_back(mesh_.point(corners_.back()));
     link = links_[link].next;
   } while (link != 0);
 }
 
 bool PatchPolygon::improve() {
   if (inner_.empty()) return false;
-  measure_corners();
   find_optimum();
   if (!is_surely_shorter()) return false;
   std::size_t used = 0;
@@ -64,62 +76,58 @@ bool PatchPolygon::improve() {
   return true;
 }
 
-void PatchPolygon::measure_corners() {
-  const std::size_t size = corners_.size();
-  distances_.resize(size * size);
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = i + 1; j < size; ++j) distances_[at(i, j)] = rounded_distance(corner(i), corner(j));
-  }
-}
-
 // Interval dynamic programming: G. T. Klincsek, "Minimal triangulations of polygonal domains", Annals of Discrete
 // Mathematics 9 (1980); P. D. Gilbert, "New results on planar triangulations", 1979.
 void PatchPolygon::find_optimum() {
   const std::size_t size = corners_.size();
-  costs_.resize(size * size);
-  apexes_.resize(size * size);
-  for (std::size_t i = 0; i + 1 < size; ++i) costs_[at(i, i + 1)] = 0;
+  for (std::size_t i = 0; i + 1 < size; ++i) costs_[at(i, i + 1)] = costs_[at(i + 1, i)] = 0;
   for (std::size_t length = 2; length < size; ++length) {
     for (std::size_t i = 0; i + length < size; ++i) find_best_apex(i, i + length);
   }
 }
 
+// Of the triangles on chord (i, j), the one with the least cost beyond its two other sides.
 void PatchPolygon::find_best_apex(std::size_t i, std::size_t j) {
   double best = std::numeric_limits<double>::infinity();
   std::size_t apex = i;
+  const double *from_i = &costs_[at(i, 0)], *from_j = &costs_[at(j, 0)];
+  const Point* const places = places_.data();
+  const Point p = places[i], q = places[j];
   for (std::size_t m = i + 1; m < j; ++m) {
-    const double cost = costs_[at(i, m)] + costs_[at(m, j)];
-    if (cost < best && orientation(corner(i), corner(m), corner(j)) > 0) {
-      best = cost;
-      apex = m;
-    }
+    const double cost = from_i[m] + from_j[m];
+    if (!(cost < best)) continue;
+    if (orientation(p, places[m], q) <= 0) continue;
+    best = cost;
+    apex = m;
   }
   const bool is_boundary = i == 0 && j + 1 == corners_.size();
-  costs_[at(i, j)] = is_boundary ? best : best + distances_[at(i, j)];
+  if (!is_boundary && apex != i) best += rounded_distance(p, q);
+  costs_[at(i, j)] = costs_[at(j, i)] = best;
   apexes_[at(i, j)] = apex;
 }
 
 // Floating point first: both sums have fewer than 2^7 terms and err by less than 2^-44 of themselves. Else
 // double-double.
-bool PatchPolygon::is_surely_shorter() const {
+bool PatchPolygon::is_surely_shorter() {
   const double optimum = costs_[at(0, corners_.size() - 1)];
+  present_.clear();
   double present = 0;
-  for (const MeshEdge e : inner_)
-    present += rounded_distance(mesh_.point(mesh_.origin(2 * e)), mesh_.point(mesh_.target(2 * e)));
+  for (const MeshEdge e : inner_) {
+    present_.push_back(make_edge(mesh_.origin(2 * e), mesh_.target(2 * e)));
+    present += rounded_distance(mesh_.point(present_.back().a), mesh_.point(present_.back().b));
+  }
   if (optimum < present * (1 - 0x1p-42)) return true;
   if (!(optimum < present * (1 + 0x1p-42))) return false;
-  std::vector<Edge> chords;
-  collect_chords(0, corners_.size() - 1, chords);
+  chords_.clear();
+  collect_chords(0, corners_.size() - 1, chords_);
   const auto is_present = [&](const Edge& chord) {
-    return std::any_of(inner_.begin(), inner_.end(), [&](MeshEdge e) {
-      return make_edge(mesh_.origin(2 * e), mesh_.target(2 * e)) == make_edge(chord.a, chord.b);
-    });
+    return std::find(present_.begin(), present_.end(), chord) != present_.end();
   };
-  if (std::all_of(chords.begin(), chords.end(), is_present))
-    return false;  // nothing new: by far the most frequent case
+  const bool is_nothing_new = std::all_of(chords_.begin(), chords_.end(), is_present);  // by far the most frequent case
+  if (is_nothing_new) return false;
   DoubleDouble gain;
-  for (const MeshEdge e : inner_) gain += length(mesh_.point(mesh_.origin(2 * e)), mesh_.point(mesh_.target(2 * e)));
-  for (const Edge& chord : chords) gain += -length(mesh_.point(chord.a), mesh_.point(chord.b));
+  for (const Edge& edge : present_) gain += length(mesh_.point(edge.a), mesh_.point(edge.b));
+  for (const Edge& chord : chords_) gain += -length(mesh_.point(chord.a), mesh_.point(chord.b));
   // Fewer than 2^8 terms and partial sums, none above 2 `present`, each off by at most 2^-97 of that.
   return gain.high > 0x1p-80 * present;
 }
@@ -128,8 +136,8 @@ bool PatchPolygon::is_surely_shorter() const {
 void PatchPolygon::collect_chords(std::size_t i, std::size_t j, std::vector<Edge>& chords) const {
   if (j - i < 2) return;
   const std::size_t m = apexes_[at(i, j)];
-  if (m - i > 1) chords.push_back({corners_[i], corners_[m]});
-  if (j - m > 1) chords.push_back({corners_[m], corners_[j]});
+  if (m - i > 1) chords.push_back(make_edge(corners_[i], corners_[m]));
+  if (j - m > 1) chords.push_back(make_edge(corners_[m], corners_[j]));
   collect_chords(i, m, chords);
   collect_chords(m, j, chords);
 }

@@ -12,6 +12,7 @@
 #include "algorithms/patch/patch_polygon.h"
 #include "algorithms/start/start.h"
 #include "algorithms/start/walls.h"
+#include "algorithms/testing/instances.h"
 #include "geometry/checker.h"
 #include "geometry/convex_hull.h"
 #include "geometry/error.h"
@@ -21,20 +22,11 @@ namespace mwt {
 
 namespace {
 
+using test::context_for;
 using test::make_shape;
 using test::Shape;
 using test::shapes;
-
-Context context_for(const std::map<std::string, std::string>& given) {
-  Context context;
-  context.parameters = Parameters("patch", patch_entry().parameters, given);
-  return context;
-}
-
-Solution solve(Points points, const std::map<std::string, std::string>& given) {
-  Context context = context_for(given);
-  return patch_entry().function(points, context);
-}
+using test::solve_checked;
 
 const Shape& shape_named(const std::string& name) {
   for (const Shape& shape : shapes()) {
@@ -48,7 +40,7 @@ TEST(Patch, IsValidAndNeverWorseThanItsStartOnAllShapes) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
       for (const std::string start : {"greedy", "delaunay", "random"}) {
-        Context context = context_for({{"start", start}});
+        Context context = context_for(patch_entry(), {{"start", start}});
         const Interval before = weight(points, start_mesh(points, context).triangulation());
         const Solution solution = patch_entry().function(points, context);
         const auto violation = find_violation(points, solution.triangulation);
@@ -83,7 +75,7 @@ TEST(Patch, IsOptimalWhenOnePatchCoversAConvexPolygon) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     const std::vector<Point> points = make_shape(shape_named("random_on_circle"), 5 + seed % 20, seed);
     for (const std::string start : {"greedy", "random"}) {
-      const Solution solution = solve(points, {{"k", "30"}, {"start", start}});
+      const Solution solution = solve_checked(patch_entry(), points, {{"k", "30"}, {"start", start}});
       EXPECT_NEAR(weight(points, solution.triangulation).middle(), optimum_of_convex(points), 1e-9) << seed;
     }
   }
@@ -92,7 +84,7 @@ TEST(Patch, IsOptimalWhenOnePatchCoversAConvexPolygon) {
 TEST(Patch, IsFlipOptimalAtTheEnd) {
   for (const Shape& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 200, 5);
-    const Solution solution = solve(points, {{"start", "random"}, {"walls", "off"}});
+    const Solution solution = solve_checked(patch_entry(), points, {{"start", "random"}, {"walls", "off"}});
     // Patches of two triangles are flips; only those that rounding cannot certify may be left.
     Context context;
     PlanarMesh mesh(points, solution.triangulation);
@@ -105,7 +97,7 @@ TEST(Patch, IsFlipOptimalAtTheEnd) {
 TEST(Patch, ClaimsNoImprovementOnTies) {
   for (const std::string name : {"full_lattice", "lattice_of_thirds"}) {
     const std::vector<Point> points = make_shape(shape_named(name), 400, 1);
-    EXPECT_EQ(solve(points, {{"start", "greedy"}}).counters.at("improved"), 0) << name;
+    EXPECT_EQ(solve_checked(patch_entry(), points, {{"start", "greedy"}}).counters.at("improved"), 0) << name;
   }
 }
 
@@ -113,7 +105,7 @@ TEST(Patch, LargerPatchesAreBetter) {
   const std::vector<Point> points = make_shape(shapes().front(), 3000, 1);
   double before = weight(points, greedy_triangulation(points)).lower;
   for (const std::string k : {"3", "6"}) {
-    const double now = weight(points, solve(points, {{"k", k}}).triangulation).upper;
+    const double now = weight(points, solve_checked(patch_entry(), points, {{"k", k}}).triangulation).upper;
     EXPECT_LT(now, before) << k;
     before = now;
   }
@@ -124,7 +116,7 @@ TEST(Patch, WallsAreInTheBestTriangulationsFound) {
     const std::vector<Point> points = make_shape(shape_named(name), 300, 2);
     PlanarMesh delaunay = PlanarMesh::delaunay(points);
     mark_walls(delaunay);
-    const Solution solution = solve(points, {{"k", "12"}, {"walls", "off"}});
+    const Solution solution = solve_checked(patch_entry(), points, {{"k", "12"}, {"walls", "off"}});
     const std::vector<Edge> best = edges_of(solution.triangulation);
     std::size_t walls = 0;
     for (MeshEdge e = 0; e < delaunay.edge_count(); ++e) {
@@ -138,35 +130,37 @@ TEST(Patch, WallsAreInTheBestTriangulationsFound) {
 
 TEST(Patch, CopiesWallsToAGivenTriangulation) {
   const std::vector<Point> points = make_shape(shapes().front(), 300, 3);
-  Context context = context_for({{"start", "mine.tri"}});
+  Context context = context_for(patch_entry(), {{"start", "mine.tri"}});
   EXPECT_THROW((void)patch_entry().function(points, context), InputError);
   context.start = greedy_triangulation(points);
   const Solution from_file = patch_entry().function(points, context);
   EXPECT_FALSE(find_violation(points, from_file.triangulation));
   EXPECT_NEAR(weight(points, from_file.triangulation).middle(),
-              weight(points, solve(points, {}).triangulation).middle(), 1e-3);
+              weight(points, solve_checked(patch_entry(), points, {}).triangulation).middle(), 1e-3);
 }
 
 TEST(Patch, IsDeterministic) {
   const std::vector<Point> points = make_shape(shapes().front(), 2000, 4);
-  EXPECT_EQ(solve(points, {}).triangulation.triangles, solve(points, {}).triangulation.triangles);
+  EXPECT_EQ(solve_checked(patch_entry(), points, {}).triangulation.triangles,
+            solve_checked(patch_entry(), points, {}).triangulation.triangles);
 }
 
 TEST(Patch, StopsAtTheDeadlineAndAfterItsPasses) {
   const std::vector<Point> points = make_shape(shapes().front(), 20000, 5);
-  Context context = context_for({{"start", "delaunay"}});
+  Context context = context_for(patch_entry(), {{"start", "delaunay"}});
   context.deadline = Context::Clock::now();
   const Solution solution = patch_entry().function(points, context);
   EXPECT_TRUE(solution.stopped_early);
   EXPECT_FALSE(find_violation(points, solution.triangulation));
-  EXPECT_LT(solve(points, {{"passes", "1"}}).counters.at("patches"), solve(points, {}).counters.at("patches"));
+  EXPECT_LT(solve_checked(patch_entry(), points, {{"passes", "1"}}).counters.at("patches"),
+            solve_checked(patch_entry(), points, {}).counters.at("patches"));
 }
 
 TEST(Patch, NamesBadParameters) {
   const std::vector<Point> points = make_shape(shapes().front(), 10, 6);
-  EXPECT_THROW((void)solve(points, {{"k", "1"}}), InputError);
-  EXPECT_THROW((void)solve(points, {{"k", "1000"}}), InputError);
-  EXPECT_THROW((void)solve(points, {{"passes", "-1"}}), InputError);
+  EXPECT_THROW((void)solve_checked(patch_entry(), points, {{"k", "1"}}), InputError);
+  EXPECT_THROW((void)solve_checked(patch_entry(), points, {{"k", "1000"}}), InputError);
+  EXPECT_THROW((void)solve_checked(patch_entry(), points, {{"passes", "-1"}}), InputError);
 }
 
 }  // namespace

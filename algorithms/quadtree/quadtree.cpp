@@ -3,11 +3,14 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/mesh/constraint_insertion.h"
+#include "algorithms/mesh/planar_mesh.h"
 #include "algorithms/quadtree/leaf_triangulation.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
 #include "geometry/error.h"
 #include "geometry/quadtree.h"
+#include "geometry/scaling.h"
 
 namespace mwt {
 
@@ -74,6 +77,7 @@ Solution solve(Points points, Context& context) {
 }  // namespace
 
 QuadtreeTriangulation quadtree_triangulation(Points points, int capacity, Context& context) {
+  if (exact_scale(points) != 0) return quadtree_triangulation(exactly_scaled(points), capacity, context);
   QuadtreeTriangulation result;
   const Quadtree tree = timed_quadtree(points, capacity, context);
   std::vector<Edge> constraints;
@@ -83,7 +87,9 @@ QuadtreeTriangulation quadtree_triangulation(Points points, int capacity, Contex
   }
   result.constraints = constraints.size();
   const ScopedPhase phase(context, "merge");
-  result.triangulation = constrained_delaunay_triangulation(points, constraints);
+  PlanarMesh mesh = PlanarMesh::delaunay(points);
+  insert_constraints(mesh, constraints);
+  result.triangulation = mesh.triangulation();
   return result;
 }
 
@@ -93,6 +99,7 @@ AlgorithmInfo quadtree_entry() {
   info.summary = "optimal in the leaves of a quadtree, merged by a constrained Delaunay triangulation";
   info.source = "source report, section 5.4";
   info.guarantee = "none known";
+  info.version = 2;
   info.time = "O(n log n)";
   info.space = "O(n)";
   info.largest_n = 1'000'000;

@@ -34,9 +34,9 @@ namespace {
 bool comes_from_delaunay(const std::string& name) { return name == "delaunay" || name == "greedy" || name == "random"; }
 
 // Turns the Delaunay triangulation into the start of that name; marks survive on edges that do.
-void change_delaunay(PlanarMesh& mesh, Points points, const Context& context, const std::string& name) {
-  if (name == "greedy") make_greedy(mesh, points, context);
-  if (name == "random") flip_at_random(mesh, context.seed, 10 * points.size());
+void change_delaunay(PlanarMesh& mesh, const Context& context, const std::string& name) {
+  if (name == "greedy") make_greedy(mesh, context);
+  if (name == "random") flip_at_random(mesh, context.seed, 10 * mesh.point_count());
 }
 
 // What the algorithm yields with its default parameters.
@@ -62,7 +62,7 @@ PlanarMesh start_mesh(Points points, const Context& context) {
   const std::string& name = context.parameters.text("start");
   if (!comes_from_delaunay(name)) return PlanarMesh(points, other_start(points, context, name));
   PlanarMesh mesh = PlanarMesh::delaunay(points);
-  change_delaunay(mesh, points, context, name);
+  change_delaunay(mesh, context, name);
   return mesh;
 }
 
@@ -71,7 +71,7 @@ PlanarMesh start_mesh_with_walls(Points points, const Context& context) {
   PlanarMesh delaunay = PlanarMesh::delaunay(points);
   mark_walls(delaunay);
   if (comes_from_delaunay(name)) {
-    change_delaunay(delaunay, points, context, name);
+    change_delaunay(delaunay, context, name);
     return delaunay;
   }
   PlanarMesh mesh(points, other_start(points, context, name));

@@ -1,6 +1,7 @@
 // One benchmark's instance, verified before anything is timed.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,31 +11,55 @@
 
 namespace mwt {
 
-/// What a benchmark runs: an algorithm on an instance of a family, both with their default parameters.
+/// Parameters given by name; all others keep their defaults.
+using GivenParameters = std::map<std::string, std::string>;
+
+/// What a benchmark runs: an algorithm on an instance of a family.
 struct BenchmarkCell {
   const AlgorithmInfo* algorithm = nullptr;
+  GivenParameters algorithm_parameters;
   const GeneratorInfo* family = nullptr;
+  GivenParameters family_parameters;
   Index n = 0;
 
-  /// "greedy_report/uniform/1000".
+  /// "greedy_report/uniform/1000", "patch:k=14/clustered:clusters=50,sigma=.01/100000".
   [[nodiscard]] std::string name() const;
 };
 
-/// Every algorithm on every family at n = 10, 100, ... up to what both sensibly take; named instances at their n.
-[[nodiscard]] std::vector<BenchmarkCell> benchmark_cells(const Catalogue& catalogue);
+/// Every algorithm on every family at n = 10, 100, ... up to `largest_n` and to what both sensibly take; named
+/// instances at their n. With default parameters, and with those of a few variants that are often asked for.
+[[nodiscard]] std::vector<BenchmarkCell> benchmark_cells(const Catalogue& catalogue, Index largest_n);
 
 /// A cell ready to be timed.
 struct PreparedCell {
   Instance instance;
   Request request;
-  double yardstick_s = 0;         ///< median of seven Delaunay triangulations of the same points by CGAL
   std::optional<Interval> alpha;  ///< where an optimum is cheap: up to kLargestRatedN points
   std::string reason_to_skip;     ///< not empty: the algorithm or the family does not take this n, or the
                                   ///< algorithm's output is wrong
 };
-inline constexpr Index kLargestRatedN = 10000;
+inline constexpr Index kLargestRatedN = 100'000;
 
-/// Generates the instance (seed 1), runs the algorithm once, checks its output, and looks for the optimum.
+/// Generates the instance (seed 1), runs the algorithm once, checks its output, and looks for the optimum with the
+/// exact algorithms, half a minute each; once per instance.
 [[nodiscard]] PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell);
+
+/// The yardstick and an algorithm, timed in turns; ratios of the medians cancel what the machine does besides.
+class TimeOverYardstick {
+ public:
+  static constexpr std::size_t kYardsticks = 7;
+
+  /// Measures the yardstick if it has not been measured seven times yet.
+  void measure_yardstick(Points points);
+
+  void add(double algorithm_s) { algorithm_s_.push_back(algorithm_s); }
+
+  /// Median of the algorithm's times over the median of seven of the yardstick, which are completed here.
+  [[nodiscard]] double ratio(Points points);
+
+ private:
+  std::vector<double> yardstick_s_;
+  std::vector<double> algorithm_s_;
+};
 
 }  // namespace mwt

@@ -11,7 +11,7 @@ namespace {
 
 std::vector<std::string> names() {
   std::vector<std::string> result;
-  for (const BenchmarkCell& cell : benchmark_cells(testing::test_catalogue())) result.push_back(cell.name());
+  for (const BenchmarkCell& cell : benchmark_cells(testing::test_catalogue(), 1'000'000)) result.push_back(cell.name());
   return result;
 }
 
@@ -27,18 +27,22 @@ TEST(BenchmarkCells, GoByAlgorithmFamilyAndPowersOfTen) {
   EXPECT_FALSE(has(all, "small/uniform/10"));
   EXPECT_TRUE(has(all, "well/report_example/10"));
   EXPECT_FALSE(has(all, "well/report_example/100"));
+  EXPECT_TRUE(has(all, "well/clustered:clusters=50,sigma=.01/1000"));
 }
 
 PreparedCell prepared(const std::string& algorithm, const std::string& family, Index n) {
   const Catalogue catalogue = testing::test_catalogue();
-  return prepare(catalogue, {&catalogue.algorithm(algorithm), &catalogue.generator(family), n});
+  return prepare(catalogue, {&catalogue.algorithm(algorithm), {}, &catalogue.generator(family), {}, n});
 }
 
-TEST(PreparedCell, IsVerifiedAndHasItsYardstick) {
-  const PreparedCell cell = prepared("well", "uniform", kLargestRatedN + 1);
-  EXPECT_EQ(cell.reason_to_skip, "");
-  EXPECT_GT(cell.yardstick_s, 0);
-  EXPECT_FALSE(cell.alpha) << "too large for a cheap optimum";
+TEST(TimeOverYardstick, IsTheRatioOfMedians) {
+  const PreparedCell cell = prepared("well", "uniform", 1000);
+  ASSERT_EQ(cell.reason_to_skip, "");
+  TimeOverYardstick once, thrice;
+  once.add(1e6);
+  for (const double time : {1e9, 2e9, 1e3}) thrice.add(time);
+  EXPECT_GT(once.ratio(cell.instance.set.points), 1e6) << "a yardstick takes less than a second";
+  EXPECT_GT(thrice.ratio(cell.instance.set.points), 1e9);
 }
 
 TEST(PreparedCell, SkipsWhatCannotBeTimed) {

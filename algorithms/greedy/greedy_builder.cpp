@@ -1,0 +1,334 @@
+#include "algorithms/greedy/greedy_builder.h"
+
+#include "algorithms/greedy/certified_edges.h"
+#include "geometry/predicates.h"
+
+namespace mwt {
+
+GreedyCounters GreedyBuilder::run() {
+  fix_certain_edges();
+  for (MeshEdge e = 0; e < mesh_.edge_count() && !counters_.stopped_early; ++e) {
+    if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) == 0) solve_face(e);
+  }
+  counters_.flips = insertion_.flips();
+  return counters_;
+}
+
+// Edges that need no comparison: the hull's, which are in every triangulation, and the certified ones.
+void GreedyBuilder::fix_certain_edges() {
+  for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
+    if (mesh_.is_hull(e) || is_certainly_greedy(mesh_, e)) mesh_.marks(e) |= kFixedMark;
+  }
+}
+
+// Fixed edges cut the plane into faces that do not influence each other: the one with e inside is brought to its
+// greedy triangulation, while all it touches stays in the cache.
+void GreedyBuilder::solve_face(MeshEdge e) {
+  collect_face(e);
+  if (face_.size() > large_face_) {
+    break_up_face();
+  } else {
+    work_off_queue();
+  }
+}
+
+// A face that no cache holds: certain ears, found in the order of memory, leave less to be done in the order of length.
+void GreedyBuilder::break_up_face() {
+  const std::vector<MeshEdge> all = std::move(face_);
+  constexpr std::size_t kTrial = 4096;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    fix_certain_ears_at(all[i]);
+    const bool is_worthwhile = i < kTrial || 16 * certain_ears_ > i;
+    if (!is_worthwhile) break;
+  }
+  for (const MeshEdge e : all) mesh_.marks(e) &= ~kFaceMark;
+  for (const MeshEdge e : all) {
+    if (counters_.stopped_early) return;
+    if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) != 0) continue;
+    collect_face(e);
+    work_off_queue();
+  }
+}
+
+// Those in the two triangles at e, and all to which they lead.
+void GreedyBuilder::fix_certain_ears_at(MeshEdge e) {
+  if ((mesh_.marks(e) & kFixedMark) != 0) return;
+  for (const Halfedge h : {2 * e, 2 * e + 1}) {
+    const Halfedge right = mesh_.rotate_right(h), across = mesh_.previous(h);
+    if (stars_.is_fixed(right)) wedges_.push_back(right);
+    if (stars_.is_fixed(across) && stars_.is_fixed(mesh_.next(h))) wedges_.push_back(across);
+  }
+  while (!wedges_.empty()) {
+    if (++steps_ % 4096 == 0 && context_.deadline_passed()) counters_.stopped_early = true;
+    const Halfedge first = wedges_.back();
+    wedges_.pop_back();
+    const Wedge wedge{first, stars_.left_of(first)};
+    if (!counters_.stopped_early && is_open(wedge) && is_certain_ear(mesh_, order_, wedge)) take_certain_ear(wedge);
+  }
+}
+
+// Whether the wedge's third side is yet to be fixed or to be found.
+bool GreedyBuilder::is_open(const Wedge& wedge) const {
+  if (wedge.first == wedge.last) return false;
+  const bool is_triangle = mesh_.rotate_left(wedge.first) == wedge.last;
+  return !is_triangle || (mesh_.marks(edge_of(mesh_.next(wedge.first))) & kFixedMark) == 0;
+}
+
+void GreedyBuilder::take_certain_ear(const Wedge& wedge) {
+  ++certain_ears_;
+  if (mesh_.rotate_left(wedge.first) == wedge.last) return fix_certain(edge_of(mesh_.next(wedge.first)));
+  ++counters_.ears;
+  const MeshEdge inserted = insertion_.insert(wedge);
+  fix_certain(inserted);
+  for (const MeshEdge e : insertion_.inner()) fix_certain_around(e);
+  fix_certain_around(inserted);
+}
+
+void GreedyBuilder::fix_certain_around(MeshEdge e) {
+  const auto fix_if_certain = [this](MeshEdge edge) {
+    if ((mesh_.marks(edge) & kFixedMark) == 0 && is_certainly_greedy(mesh_, edge)) fix_certain(edge);
+  };
+  fix_if_certain(e);
+  for (const Halfedge h : {2 * e, 2 * e + 1}) {
+    fix_if_certain(edge_of(mesh_.next(h)));
+    fix_if_certain(edge_of(mesh_.previous(h)));
+  }
+}
+
+void GreedyBuilder::fix_certain(MeshEdge e) {
+  mesh_.marks(e) |= kFixedMark;
+  stars_.add(2 * e);
+  stars_.add(2 * e + 1);
+  look_around(e);
+}
+
+// The wedges on both sides of a new fixed edge at both of its ends are to be looked at, and those that share their
+// outer sides: what stood against an ear there may be hidden now.
+void GreedyBuilder::look_around(MeshEdge e) {
+  for (const Halfedge h : {2 * e, 2 * e + 1}) {
+    const Halfedge right = stars_.right_of(h), left = stars_.left_of(h);
+    wedges_.insert(wedges_.end(), {twin(left), stars_.right_of(twin(right)), h, right});
+  }
+}
+
+// All edges that can be reached from e through triangles without crossing a fixed edge.
+void GreedyBuilder::collect_face(MeshEdge e) {
+  face_.assign(1, e);
+  mesh_.marks(e) = (mesh_.marks(e) & ~kFlippedMark) | kFaceMark;
+  for (std::size_t i = 0; i < face_.size(); ++i) {
+    for (const Halfedge h : {2 * face_[i], 2 * face_[i] + 1}) {
+      for (const Halfedge side : {mesh_.next(h), mesh_.previous(h)}) {
+        std::uint32_t& marks = mesh_.marks(edge_of(side));
+        if ((marks & (kFixedMark | kFaceMark)) != 0) continue;
+        marks = (marks & ~kFlippedMark) | kFaceMark;
+        face_.push_back(edge_of(side));
+      }
+    }
+  }
+}
+
+void GreedyBuilder::work_off_queue() {
+  start_queue();
+  empty_queue();
+}
+
+void GreedyBuilder::start_queue() {
+  candidates_.clear();
+  for (const MeshEdge inside : face_) {
+    if (!is_candidate(inside)) continue;
+    mesh_.marks(inside) |= kCandidateMark;
+    candidates_.push_back(inside);
+  }
+  sorted_.sort(candidates_);
+  for (const MeshEdge inside : face_) {
+    for (const Halfedge spoke : {2 * inside, 2 * inside + 1}) {
+      const Halfedge right = mesh_.rotate_right(spoke);
+      if (stars_.is_fixed(right)) look_for_ear({right, stars_.left_of(spoke)});
+    }
+  }
+}
+
+void GreedyBuilder::empty_queue() {
+  fetched_ = 0;
+  std::size_t next = 0;
+  while (next < sorted_.size() || !heap_.empty()) {
+    if (++steps_ % 4096 == 0 && context_.deadline_passed()) {
+      counters_.stopped_early = true;
+      return;
+    }
+    if (next < sorted_.size() && next >= fetched_) fetch_ahead(next);
+    if (next < sorted_.size() && is_settled(sorted_.edge(next))) {
+      ++next;
+    } else if (next < sorted_.size() && comes_first(sorted_.edge(next))) {
+      fix(sorted_.edge(next++));
+    } else {
+      take_from_heap();
+    }
+  }
+}
+
+// Edges come in the order of length, from everywhere: bring what the coming ones need into the cache, first their
+// records, later the records of their stars.
+void GreedyBuilder::fetch_ahead(std::size_t next) {
+  constexpr std::size_t kFar = 48, kMiddle = 32, kNear = 16;
+  fetched_ = next + 1;
+  if (next + kFar >= sorted_.size()) return;
+  mesh_.prefetch(sorted_.edge(next + kFar));
+  const MeshEdge middle = sorted_.edge(next + kMiddle);
+  for (const Halfedge h : {2 * middle, 2 * middle + 1}) {
+    mesh_.prefetch(edge_of(mesh_.next(h)));
+    mesh_.prefetch(edge_of(mesh_.previous(h)));
+    mesh_.prefetch_point(mesh_.origin(h));
+  }
+  const MeshEdge near = sorted_.edge(next + kNear);
+  for (const Halfedge h : {2 * near, 2 * near + 1}) {
+    const Halfedge left = mesh_.rotate_left(h), right = mesh_.rotate_right(h);
+    mesh_.prefetch(edge_of(mesh_.rotate_left(left)));
+    mesh_.prefetch(edge_of(mesh_.rotate_right(right)));
+    mesh_.prefetch_point(mesh_.target(left));
+  }
+}
+
+// The same for the candidates from the heap.
+void GreedyBuilder::fetch_ears_ahead() const {
+  constexpr std::size_t kFar = 24, kMiddle = 16, kNear = 8;
+  if (const Candidate* far = heap_.ahead(kFar)) mesh_.prefetch(edge_of(far->place()));
+  if (const Candidate* middle = heap_.ahead(kMiddle)) {
+    const Halfedge h = middle->place();
+    for (const Halfedge side : {mesh_.next(h), mesh_.previous(h), mesh_.next(twin(h)), mesh_.previous(twin(h))}) {
+      mesh_.prefetch(edge_of(side));
+    }
+    mesh_.prefetch_point(mesh_.origin(h));
+    mesh_.prefetch_point(mesh_.target(h));
+  }
+  if (const Candidate* near = heap_.ahead(kNear)) {
+    const Halfedge h = near->place();
+    const Halfedge spoke = mesh_.rotate_left(h), across = mesh_.next(h);
+    mesh_.prefetch_point(mesh_.target(spoke));
+    for (const Halfedge side :
+         {mesh_.next(spoke), mesh_.previous(spoke), mesh_.next(twin(across)), mesh_.previous(twin(across))}) {
+      mesh_.prefetch(edge_of(side));
+    }
+  }
+}
+
+// Whether the angle opposite h in the triangle on its left is acute: its apex lies outside the disc with diameter h.
+bool GreedyBuilder::faces_acute_angle(Halfedge h) const {
+  return dot_sign(mesh_.point(mesh_.origin(h)), mesh_.point(mesh_.apex(h)), mesh_.point(mesh_.target(h))) > 0;
+}
+
+// Whether h is an ear that is a mesh edge already. Precondition: the angle opposite h is not acute.
+bool GreedyBuilder::closes_ear(Halfedge h) const {
+  return stars_.is_fixed(mesh_.next(h)) && stars_.is_fixed(mesh_.previous(h));
+}
+
+// Whether e can be the next edge of greedy, as lemma 1 of README.md has it: either there is no visible point in the
+// closed disc around it, which its two triangles tell, or it is an ear. Precondition: e is not fixed.
+bool GreedyBuilder::is_candidate(MeshEdge e) const {
+  const Halfedge h = 2 * e;
+  const bool left = faces_acute_angle(h), right = faces_acute_angle(h + 1);
+  return (left && right) || (!left && closes_ear(h)) || (!right && closes_ear(h + 1));
+}
+
+// Whether the edge sorted at the start is dealt with: taken already, or flipped away.
+bool GreedyBuilder::is_settled(MeshEdge e) const { return (mesh_.marks(e) & (kFixedMark | kFlippedMark)) != 0; }
+
+// Whether e precedes all candidates in the heap.
+bool GreedyBuilder::comes_first(MeshEdge e) const {
+  if (heap_.empty()) return true;
+  const double top = heap_.top().key().squared_length.high;
+  const double here = mesh_.record(e).squared_length;
+  constexpr double kFloatError = 1e-6;  // relative; floats below 1e-30 may be denormal
+  if (here > 1e-30 && here < 1e30 && std::abs(here - top) > kFloatError * (here + top)) return here < top;
+  return order_.precedes(order_.key(mesh_.origin(2 * e), mesh_.target(2 * e)), heap_.top().key());
+}
+
+void GreedyBuilder::push_if_candidate(MeshEdge e) {
+  if ((mesh_.marks(e) & (kFixedMark | kCandidateMark)) == 0 && is_candidate(e)) push_edge(e);
+}
+
+// After a change inside the triangles at e.
+void GreedyBuilder::push_candidates_around(MeshEdge e) {
+  push_if_candidate(e);
+  for (const Halfedge h : {2 * e, 2 * e + 1}) {
+    push_if_candidate(edge_of(mesh_.next(h)));
+    push_if_candidate(edge_of(mesh_.previous(h)));
+  }
+}
+
+void GreedyBuilder::push_edge(MeshEdge e) {
+  mesh_.marks(e) |= kCandidateMark;
+  heap_.push(Candidate::edge(mesh_, order_, e));
+}
+
+void GreedyBuilder::take_from_heap() {
+  const Candidate candidate = heap_.top();
+  heap_.pop();
+  fetch_ears_ahead();
+  if (candidate.is_ear()) return insert_ear(candidate);
+  const MeshEdge e = edge_of(candidate.place());
+  const bool is_still_there = candidate.joins(mesh_.origin(2 * e), mesh_.target(2 * e));
+  if (is_still_there && (mesh_.marks(e) & kFixedMark) == 0) fix(e);
+}
+
+void GreedyBuilder::fix(MeshEdge e) {
+  mesh_.marks(e) |= kFixedMark;
+  for (const Halfedge h : {2 * e, 2 * e + 1}) {
+    stars_.add(h);
+    look_for_ear({stars_.right_of(h), h});
+    look_for_ear({h, stars_.left_of(h)});
+  }
+}
+
+// Makes the wedge's third side a candidate if it is an ear that no shorter mesh edge crosses.
+void GreedyBuilder::look_for_ear(const Wedge& wedge) {
+  if (wedge.first == wedge.last) return;
+  if (mesh_.rotate_left(wedge.first) == wedge.last) return look_at_triangle(wedge.first);
+  if (!is_unblocked_ear(wedge)) return;
+  heap_.push(Candidate::ear(mesh_, order_, wedge.first, wedge.last));
+}
+
+// Of the triangle left of `side` that side and the one before it are fixed: the third is a candidate if it is an ear.
+void GreedyBuilder::look_at_triangle(Halfedge side) {
+  const Halfedge third = mesh_.next(side);
+  if ((mesh_.marks(edge_of(third)) & (kFixedMark | kCandidateMark)) != 0) return;
+  if (!faces_acute_angle(third)) push_edge(edge_of(third));
+}
+
+// What blocks an ear is watched: once that edge is flipped away, the wedge is looked at again.
+bool GreedyBuilder::is_unblocked_ear(const Wedge& wedge) {
+  const Point& apex = mesh_.point(mesh_.origin(wedge.first));
+  const Point& from = mesh_.point(mesh_.target(wedge.first));
+  const Point& to = mesh_.point(mesh_.target(wedge.last));
+  if (orientation(apex, from, to) <= 0 || dot_sign(from, apex, to) > 0) return false;
+  const double dx = from.x - to.x, dy = from.y - to.y;
+  // Shorter beyond the rounding of floats; below 1e-30 they may be denormal, so nothing counts as shorter there.
+  const double surely_shorter = (dx * dx + dy * dy) * (1 - 1e-6);
+  for (Halfedge spoke = mesh_.rotate_left(wedge.first); spoke != wedge.last; spoke = mesh_.rotate_left(spoke)) {
+    if (mesh_.record(edge_of(spoke)).squared_length < surely_shorter && surely_shorter > 1e-30) {
+      mesh_.marks(edge_of(spoke)) |= kWatchedMarks[spoke & 1];
+      return false;
+    }
+    if (orientation(from, to, mesh_.point(mesh_.target(spoke))) >= 0) return false;  // not empty: never an ear
+  }
+  return true;
+}
+
+void GreedyBuilder::insert_ear(const Candidate& ear) {
+  const Wedge wedge{ear.place(), stars_.left_of(ear.place())};
+  const bool is_split = !ear.joins(mesh_.target(wedge.first), mesh_.target(wedge.last));
+  if (is_split) return;
+  if (mesh_.rotate_left(wedge.first) == wedge.last) {  // other insertions have made it a mesh edge
+    const MeshEdge third = edge_of(mesh_.next(wedge.first));
+    if ((mesh_.marks(third) & kFixedMark) == 0) fix(third);
+    return;
+  }
+  ++counters_.ears;
+  const MeshEdge inserted = insertion_.insert(wedge);
+  fix(inserted);
+  for (const MeshEdge e : insertion_.inner()) push_candidates_around(e);
+  push_candidates_around(inserted);
+  for (const Halfedge first : insertion_.unblocked()) look_for_ear({first, stars_.left_of(first)});
+}
+
+}  // namespace mwt

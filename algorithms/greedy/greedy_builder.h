@@ -1,0 +1,82 @@
+// Turns a Delaunay triangulation into the greedy triangulation: the method of README.md.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/algorithm.h"
+#include "algorithms/greedy/candidate_queue.h"
+#include "algorithms/greedy/ear_insertion.h"
+#include "algorithms/greedy/fixed_stars.h"
+#include "algorithms/greedy/greedy.h"
+
+namespace mwt {
+
+/// One use. Invariant between steps: the mesh is the constrained Delaunay triangulation of the points with the edges of
+/// kFixedMark as constraints.
+class GreedyBuilder {
+ public:
+  /// Faces with more edges than `large_face` are broken up by certain ears first, for the cache's sake.
+  GreedyBuilder(PlanarMesh& mesh, const Context& context, std::size_t large_face = 10'000)
+      : mesh_(mesh),
+        context_(context),
+        large_face_(large_face),
+        order_(mesh.points(), mesh.labels()),
+        sorted_(mesh, order_),
+        heap_(order_),
+        stars_(mesh),
+        insertion_(mesh, stars_) {}
+
+  GreedyCounters run();
+
+ private:
+  void fix_certain_edges();
+  void break_up_face();
+  void fix_certain_ears_at(MeshEdge e);
+  [[nodiscard]] bool is_open(const Wedge& wedge) const;
+  void take_certain_ear(const Wedge& wedge);
+  void fix_certain_around(MeshEdge e);
+  void fix_certain(MeshEdge e);
+  void look_around(MeshEdge e);
+
+  void solve_face(MeshEdge e);
+  void collect_face(MeshEdge e);
+  void work_off_queue();
+  void start_queue();
+  void empty_queue();
+  void fetch_ahead(std::size_t next);
+  void fetch_ears_ahead() const;
+
+  [[nodiscard]] bool is_candidate(MeshEdge e) const;
+  [[nodiscard]] bool faces_acute_angle(Halfedge h) const;
+  [[nodiscard]] bool closes_ear(Halfedge h) const;
+  [[nodiscard]] bool is_settled(MeshEdge e) const;
+  [[nodiscard]] bool comes_first(MeshEdge e) const;
+  void push_if_candidate(MeshEdge e);
+  void push_candidates_around(MeshEdge e);
+  void push_edge(MeshEdge e);
+  void take_from_heap();
+
+  void fix(MeshEdge e);
+  void look_for_ear(const Wedge& wedge);
+  void look_at_triangle(Halfedge side);
+  [[nodiscard]] bool is_unblocked_ear(const Wedge& wedge);
+  void insert_ear(const Candidate& ear);
+
+  PlanarMesh& mesh_;
+  const Context& context_;
+  std::size_t large_face_;
+  EdgeOrder order_;
+  EdgeSorter sorted_;
+  CandidateHeap heap_;
+  FixedStars stars_;
+  EarInsertion insertion_;
+  GreedyCounters counters_;
+  std::uint64_t steps_ = 0;
+  std::vector<Halfedge> wedges_;  // to be looked at for certain ears; their first halfedges
+  std::size_t certain_ears_ = 0;
+  std::vector<MeshEdge> face_;
+  std::vector<MeshEdge> candidates_;
+  std::size_t fetched_ = 0;
+};
+
+}  // namespace mwt

@@ -1,0 +1,69 @@
+// The registry's greedy against the registry's greedy_report, edge for edge, on all families and shapes.
+#include <gtest/gtest.h>
+
+#include "algorithms/greedy/greedy_builder.h"
+#include "algorithms/mesh/shapes_for_tests.h"
+#include "algorithms/registry.h"
+#include "generators/registry.h"
+#include "geometry/error.h"
+#include "geometry/point_set.h"
+
+namespace mwt {
+
+namespace {
+
+std::vector<Edge> edges_by(const std::string& algorithm, Points points) {
+  const AlgorithmInfo& info = find_algorithm(algorithm);
+  Context context;
+  context.parameters = Parameters(info.name, info.parameters, {});
+  return edges_of(info.function(points, context).triangulation);
+}
+
+// As greedy does with faces that no cache holds, on faces of any size.
+std::vector<Edge> edges_by_certain_ears(Points points) {
+  PlanarMesh mesh = PlanarMesh::delaunay(points);
+  GreedyBuilder(mesh, Context{}, 0).run();
+  return edges_of(mesh.triangulation());
+}
+
+// Compares on one instance; says whether there was one.
+bool compare_on_family(const GeneratorInfo& family, Index n, std::uint64_t seed) {
+  try {
+    const PointSet set = make_point_set(generate(family.name, n, seed, {}), family.name);
+    const std::vector<Edge> expected = edges_by("greedy_report", set.points);
+    EXPECT_EQ(edges_by("greedy", set.points), expected) << family.name << " n=" << n << " seed=" << seed;
+    EXPECT_EQ(edges_by_certain_ears(set.points), expected) << family.name << " n=" << n << " seed=" << seed;
+    return true;
+  } catch (const InputError&) {
+    return false;  // the family has no instance of this size
+  }
+}
+
+void compare_on_shape(const test::Shape& shape, std::size_t n, std::uint64_t seed) {
+  const std::vector<Point> points = test::make_shape(shape, n, seed);
+  const std::vector<Edge> expected = edges_by("greedy_report", points);
+  EXPECT_EQ(edges_by("greedy", points), expected) << shape.name << " n=" << n << " seed=" << seed;
+  EXPECT_EQ(edges_by_certain_ears(points), expected) << shape.name << " n=" << n << " seed=" << seed;
+}
+
+// Instances of up to `largest_n` points: many small ones, a few as large as that.
+std::size_t compare_on_all(std::uint64_t seeds, Index smaller_n, Index largest_n) {
+  std::size_t instances = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Index n = seed % 30 == 0 ? largest_n : 3 + static_cast<Index>(7 * seed) % smaller_n;
+    for (const GeneratorInfo& family : generators()) instances += compare_on_family(family, n, seed) ? 1 : 0;
+    for (const test::Shape& shape : test::shapes()) compare_on_shape(shape, n, seed);
+    instances += test::shapes().size();
+  }
+  return instances;
+}
+
+TEST(GreedyEquivalence, EqualsGreedyReport) { EXPECT_GT(compare_on_all(4, 40, 100), 100U); }
+
+TEST(GreedyEquivalenceSlow, EqualsGreedyReportOnFiveThousandInstances) {
+  EXPECT_GE(compare_on_all(150, 60, 500), 5000U);
+}
+
+}  // namespace
+
+}  // namespace mwt

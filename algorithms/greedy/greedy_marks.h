@@ -1,0 +1,19 @@
+// What greedy notes on the edges of its mesh while it works.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace mwt {
+
+inline constexpr std::uint32_t kFixedMark = 2;                          // chosen by greedy
+inline constexpr std::uint32_t kFlippedMark = 4;                        // no longer the edge that its face started with
+inline constexpr std::array<std::uint32_t, 2> kWatchedMarks = {8, 16};  // the halfedge blocks an ear of its wedge
+inline constexpr std::uint32_t kInnerMark = 32;                         // lies inside the region being restored
+inline constexpr std::uint32_t kFaceMark = 64;                          // its face is being or has been solved
+inline constexpr std::uint32_t kCandidateMark = 128;                    // waits in the queue
+
+inline constexpr std::uint32_t kGreedyMarks =
+    kFixedMark | kFlippedMark | kWatchedMarks[0] | kWatchedMarks[1] | kInnerMark | kFaceMark | kCandidateMark;
+
+}  // namespace mwt

@@ -1,0 +1,40 @@
+#include "geometry/scaling.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace mwt {
+namespace {
+
+TEST(Scaling, LeavesModerateCoordinatesAlone) {
+  const std::vector<Point> points = {{0, 0}, {1e20, -3}, {1e-300, 5}};
+  EXPECT_EQ(exact_scale(points), 0);
+  EXPECT_EQ(exactly_scaled(points), points);
+}
+
+TEST(Scaling, BringsExtremesNearOneWithoutLosingABit) {
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+  for (const double unit : {1e300, 1e-300, kSmallest}) {
+    const std::vector<Point> points = {{unit, 0}, {-3 * unit, 2 * unit}, {7 * unit, unit}};
+    const int e = exact_scale(points);
+    const std::vector<Point> scaled = exactly_scaled(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_LT(std::abs(scaled[i].x), 2);
+      EXPECT_EQ(std::scalbn(scaled[i].x, e), points[i].x);
+      EXPECT_EQ(std::scalbn(scaled[i].y, e), points[i].y);
+    }
+    EXPECT_GE(std::abs(scaled[2].x), 1);
+  }
+}
+
+TEST(Scaling, IsGivenUpWhereBitsWouldBeLost) {
+  EXPECT_EQ(exact_scale(std::vector<Point>{{1e300, 0}, {1e-20, 1}, {0, 1}}), 0);
+  // 3 * 2^-1074 / 2^100 keeps neither of its two bits.
+  EXPECT_EQ(exact_scale(std::vector<Point>{{0x1p101, 0}, {0x3p-1074, 1}, {0, 1}}), 0);
+  EXPECT_EQ(exact_scale(std::vector<Point>{{0, 0}}), 0);
+}
+
+}  // namespace
+}  // namespace mwt
