@@ -10,6 +10,7 @@
 #include "algorithms/exact/convex_position.h"
 #include "algorithms/exact/diamond_candidates.h"
 #include "algorithms/exact/face_solver.h"
+#include "algorithms/exact/far_edges.h"
 #include "algorithms/exact/kd_order.h"
 #include "algorithms/exact/lmt_skeleton.h"
 #include "algorithms/exact/search_stopped.h"
@@ -68,6 +69,7 @@ class ExactSolver {
     const ScopedPhase phase(context_, "lmt");
     LmtSkeleton skeleton = find_lmt_skeleton(order_, hull_edges, std::move(blocks), context_);
     counters_["lmt_checks"] = static_cast<double>(skeleton.counters.checks);
+    counters_["far_edges_deleted"] = static_cast<double>(delete_far_edges(skeleton.stars));
     return skeleton;
   }
 

@@ -12,5 +12,6 @@ namespace mwt {
 [[nodiscard]] Command run_command();
 [[nodiscard]] Command merge_command();
 [[nodiscard]] Command report_command();
+[[nodiscard]] Command hunt_command();
 
 }  // namespace mwt
