@@ -1,6 +1,7 @@
 #include "harness/study/plan.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -76,16 +77,26 @@ class Planner {
   }
 
  private:
+  struct AlgorithmTemplate {
+    PlannedRun run;  // instance, repetition and id still open
+    std::vector<std::string> families;
+
+    [[nodiscard]] bool takes(const std::string& family) const {
+      return families.empty() || std::find(families.begin(), families.end(), family) != families.end();
+    }
+  };
+
   void add_algorithm(const AlgorithmChoice& choice) {
     const AlgorithmInfo& info = catalogue_.algorithm(choice.name);
+    for (const std::string& family : choice.families) static_cast<void>(catalogue_.generator(family));
     PlannedRun run;
     run.algorithm = &info;
     run.parameters = Parameters(info.name, info.parameters, choice.parameters);
     run.largest_n = largest_n_for(info, choice.largest_n);
-    if (start_file_of(info, run.parameters)) {
-      throw InputError(info.name + ": a study cannot start from a given triangulation; choose one of the named starts");
+    if (const auto file = start_file_of(info, run.parameters)) {
+      run.start_file = (std::filesystem::path(study_.folder) / *file).string();
     }
-    algorithms_.push_back(std::move(run));
+    algorithms_.push_back({std::move(run), choice.families});
   }
 
   void add_family(const FamilyChoice& choice) {
@@ -126,7 +137,9 @@ class Planner {
     if (!known_instances_.insert(key).second) return;
     plan_.instances.push_back(instance);
     for (int repetition = 0; repetition < study_.repetitions; ++repetition) {
-      for (PlannedRun run : algorithms_) {
+      for (const AlgorithmTemplate& algorithm : algorithms_) {
+        if (!algorithm.takes(instance.family->name)) continue;
+        PlannedRun run = algorithm.run;
         run.instance = plan_.instances.size() - 1;
         run.repetition = repetition;
         run.run_id = short_hash(
@@ -139,7 +152,7 @@ class Planner {
   const Study& study_;
   const Catalogue& catalogue_;
   Plan plan_;
-  std::vector<PlannedRun> algorithms_;  // templates: instance, repetition and id still open
+  std::vector<AlgorithmTemplate> algorithms_;
   std::set<std::string> known_instances_;
   std::set<std::string> known_runs_;
 };
