@@ -1,0 +1,85 @@
+#include "harness/statistics/power_law.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+namespace mwt {
+
+namespace {
+
+using Line = Eigen::Vector2d;  // height at log n = 0, slope
+
+/// Those of the measurements that `chosen` names, as the rows of the least-squares problem.
+struct Design {
+  Eigen::MatrixX2d matrix;
+  Eigen::VectorXd log_y;
+};
+
+Design design_of(std::span<const Measurement> measurements, std::span<const std::size_t> chosen) {
+  Design design{Eigen::MatrixX2d(chosen.size(), 2), Eigen::VectorXd(chosen.size())};
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    design.matrix(row, 0) = 1;
+    design.matrix(row, 1) = std::log(measurements[chosen[i]].n);
+    design.log_y(row) = std::log(measurements[chosen[i]].y);
+  }
+  return design;
+}
+
+Line least_squares(const Design& design) { return design.matrix.colPivHouseholderQr().solve(design.log_y); }
+
+double explained_share(const Design& design, const Line& line) {
+  const double all = (design.log_y.array() - design.log_y.mean()).matrix().squaredNorm();
+  if (all == 0) return 1;
+  return 1 - (design.log_y - design.matrix * line).squaredNorm() / all;
+}
+
+/// The number of every measurement's group: those with the same n.
+std::vector<std::size_t> groups_of(std::span<const Measurement> measurements) {
+  std::map<double, std::size_t> group_of_n;
+  std::vector<std::size_t> groups;
+  for (const Measurement& measurement : measurements)
+    groups.push_back(group_of_n.emplace(measurement.n, group_of_n.size()).first->second);
+  return groups;
+}
+
+void require_positive(std::span<const Measurement> measurements) {
+  const auto is_positive = [](double x) { return x > 0 && std::isfinite(x); };
+  for (const Measurement& measurement : measurements) {
+    if (!is_positive(measurement.n) || !is_positive(measurement.y))
+      throw std::invalid_argument("a power law needs positive finite measurements");
+  }
+}
+
+}  // namespace
+
+std::optional<PowerLaw> fit_power_law(std::span<const Measurement> measurements, const BootstrapOptions& options) {
+  require_positive(measurements);
+  const std::vector<std::size_t> groups = groups_of(measurements);
+  const std::size_t group_count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
+  if (group_count < 2) return std::nullopt;
+
+  std::vector<std::size_t> all(measurements.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto coefficient = [&](Eigen::Index which) {
+    return bootstrap_over(
+        measurements.size(),
+        [&](std::span<const std::size_t> drawn) { return least_squares(design_of(measurements, drawn))(which); },
+        options, groups);
+  };
+  const Design design = design_of(measurements, all);
+  PowerLaw law;
+  law.log_factor = coefficient(0);
+  law.exponent = coefficient(1);
+  law.r_squared = explained_share(design, least_squares(design));
+  law.has_interval = group_count < measurements.size();
+  return law;
+}
+
+}  // namespace mwt

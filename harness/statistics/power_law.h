@@ -1,0 +1,35 @@
+// Fits y = c n^e to measurements: a straight line through their logarithms.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "harness/statistics/bootstrap.h"
+
+namespace mwt {
+
+struct Measurement {
+  double n = 0;
+  double y = 0;
+};
+
+struct PowerLaw {
+  Estimate exponent;          ///< the line's slope
+  Estimate log_factor;        ///< natural logarithm of c, the line's height at n = 1
+  double r_squared = 0;       ///< share of the variance of log y that the line explains; 1 if y never varies
+  bool has_interval = false;  ///< false: every n was measured once, so nothing is known of the noise; ends = value
+};
+
+/// The least-squares line through (log n, log y), every measurement weighing the same, solved by a QR decomposition.
+///
+/// The intervals are percentile bootstrap intervals over the measurements of each n by itself (a stratified bootstrap):
+/// they say how the noise at the given sizes moves the line, not whether a line is the right curve. A size that was
+/// measured once contributes no noise, and where all were, has_interval is false.
+///
+/// Nothing with fewer than two distinct n: there is no line then.
+/// Precondition: every n and y positive and finite; std::invalid_argument otherwise.
+/// O(resamples * measurements); deterministic.
+[[nodiscard]] std::optional<PowerLaw> fit_power_law(std::span<const Measurement> measurements,
+                                                    const BootstrapOptions& options = {});
+
+}  // namespace mwt
