@@ -46,23 +46,32 @@ def draw_panel(axes, cells, styles):
 
 
 def place_names(axes, points):
-    """Names beside the marks, moved up where they would meet. The axes must have their final size."""
-    to_pixels = axes.transData.transform
-    taken = []
-    for label, time, excess in sorted(points, key=lambda point: point[2]):
-        x, y = to_pixels((time, excess))
-        shift = 0
-        while any(abs(x - other_x) < 75 and abs(y + shift - other_y) < 12 for other_x, other_y in taken):
-            shift += 3
-        taken.append((x, y + shift))
-        axes.annotate(label, (time, excess), xytext=(6, 2 + shift * 72 / axes.figure.dpi), textcoords="offset points", fontsize=7.5)
+    """Names beside the marks, where they meet neither marks nor other names. The axes must have their final size."""
+    places = [("left", (6, 2)), ("left", (6, -9)), ("right", (-6, 2)), ("left", (2, 7)), ("left", (2, -14)), ("left", (6, 13))]
+    marks = [axes.transData.transform((time, excess)) for _, time, excess in points]
+    taken = [(x - 6, y - 6, x + 6, y + 6) for x, y in marks]
+    pixel = axes.figure.dpi / 72
+    for (label, time, excess), (x, y) in sorted(zip(points, marks), key=lambda item: item[0][2]):
+        width, height = 4.6 * pixel * len(label), 9 * pixel
+        for alignment, (dx, dy) in places:
+            left = x + dx * pixel - (width if alignment == "right" else 0)
+            bottom = y + (dy - 1) * pixel
+            box = (left, bottom, left + width, bottom + height)
+            if not any(overlap(box, other) for other in taken):
+                break
+        taken.append(box)
+        axes.annotate(label, (time, excess), xytext=(dx, dy), textcoords="offset points", fontsize=7.5, ha=alignment)
+
+
+def overlap(a, b):
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
 
 
 def draw(results):
     n = largest_common_n(results.rated)
     if n is None:
         return None
-    cells = results.rated[results.rated["n"] == n]
+    cells = results.rated[(results.rated["n"] == n) & ~results.rated["label"].str.contains(" ")]  # usual configurations
     families = [family for family in RANDOM_FAMILIES if family in set(cells["family"])]
     styles = Styles(report_first(set(cells["label"])))
     figure, grid = plt.subplots(1, len(families), figsize=(3.3 * len(families) + 0.4, 3.6), sharey=True, squeeze=False)
