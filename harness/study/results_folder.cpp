@@ -98,14 +98,33 @@ void ResultsFolder::append(const EnvironmentRecord& record) {
   environment_file_->append(to_row(environment_columns(), record));
 }
 
-std::vector<RunRecord> read_runs(const std::string& folder) {
-  const std::string file = (fs::path(folder) / "runs.csv").string();
+namespace {
+
+template <class Record>
+std::vector<Record> read_file_of_records(const std::string& folder, const std::string& name,
+                                         const std::vector<Column<Record>>& columns) {
+  const std::string file = (fs::path(folder) / name).string();
   std::vector<CsvRow> rows = parse_csv(read_file(file));
-  if (rows.empty() || rows.front() != header_of(run_columns())) {
+  if (rows.empty() || rows.front() != header_of(columns)) {
     throw InputError(file + ": its columns are not those of schema version " + std::to_string(kSchemaVersion));
   }
   rows.erase(rows.begin());
-  return records_of(rows, run_columns(), file);
+  return records_of(rows, columns, file);
+}
+
+}  // namespace
+
+std::vector<RunRecord> read_runs(const std::string& folder) {
+  return read_file_of_records(folder, "runs.csv", run_columns());
+}
+
+StudyRecords read_records(const std::string& folder) {
+  StudyRecords records;
+  records.study_file = read_file((fs::path(folder) / "study.toml").string());
+  records.runs = read_runs(folder);
+  records.instances = read_file_of_records(folder, "instances.csv", instance_columns());
+  records.environments = read_file_of_records(folder, "environments.csv", environment_columns());
+  return records;
 }
 
 }  // namespace mwt

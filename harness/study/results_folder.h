@@ -54,4 +54,15 @@ class ResultsFolder {
 /// The runs recorded in a results folder. Throws InputError: no runs.csv, another schema version, a malformed row.
 [[nodiscard]] std::vector<RunRecord> read_runs(const std::string& folder);
 
+/// All that a results folder holds.
+struct StudyRecords {
+  std::string study_file;  ///< content of study.toml
+  std::vector<RunRecord> runs;
+  std::vector<InstanceRecord> instances;
+  std::vector<EnvironmentRecord> environments;
+};
+
+/// Complete rows only, so that a study may be running there meanwhile. Throws InputError as read_runs().
+[[nodiscard]] StudyRecords read_records(const std::string& folder);
+
 }  // namespace mwt
