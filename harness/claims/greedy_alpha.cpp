@@ -22,9 +22,11 @@ std::size_t count_in_band(const std::vector<double>& values) {
   return static_cast<std::size_t>(std::count_if(values.begin(), values.end(), is_in_band));
 }
 
-std::string percent(std::size_t part, std::size_t whole) {
-  return fixed(100.0 * static_cast<double>(part) / static_cast<double>(whole), 1) + "%";
+double share_in_band(const std::vector<double>& values) {
+  return static_cast<double>(count_in_band(values)) / static_cast<double>(values.size());
 }
+
+std::string percent(double share) { return fixed(100 * share, 1) + "%"; }
 
 // One run per instance: where both versions of greedy ran they agree, and the literal one speaks.
 Runs one_per_instance(const Runs& runs) {
@@ -51,7 +53,7 @@ std::vector<std::string> details_row(const std::string& algorithm, const std::st
           fixed(median(values), 6),
           fixed(quantile(values, 0.95), 6),
           fixed(*std::max_element(values.begin(), values.end()), 6),
-          percent(count_in_band(values), values.size())};
+          fixed(100 * share_in_band(values), 1)};
 }
 
 bool is_usual_configuration(const RunRecord& run) {
@@ -61,7 +63,7 @@ bool is_usual_configuration(const RunRecord& run) {
 
 ClaimDetails details_of(const StudyRecords& records) {
   ClaimDetails details{
-      {"algorithm", "family", "n", "instances", "alpha mean", "alpha median", "alpha p95", "alpha max", "in 1.1-1.5"},
+      {"algorithm", "family", "n", "instances", "alpha mean", "alpha median", "alpha p95", "alpha max", "% in 1.1-1.5"},
       {}};
   const Runs rated =
       rated_runs(records, [](const RunRecord& run) { return is_typical(run) && is_usual_configuration(run); });
@@ -74,6 +76,8 @@ ClaimDetails details_of(const StudyRecords& records) {
       }
     }
   }
+  std::stable_partition(details.rows.begin(), details.rows.end(),
+                        [](const auto& row) { return row.front() == "greedy" || row.front() == "greedy_report"; });
   return details;
 }
 
@@ -86,12 +90,10 @@ std::string best_fit(const StudyRecords& records) {
   double best = 0;
   for (const auto& [key, runs] : groups) {
     if (runs.size() < kFewestToCompare) continue;
-    const std::size_t inside = count_in_band(alphas(runs));
-    const double share = static_cast<double>(inside) / static_cast<double>(runs.size());
+    const double share = share_in_band(alphas(runs));
     if (share <= best) continue;
     best = share;
-    text = "; the band fits best " + key.first + " at n = " + grouped(key.second) + " (" +
-           percent(inside, runs.size()) + " inside)";
+    text = "; the band fits best " + key.first + " at n = " + grouped(key.second) + " (" + percent(share) + " inside)";
   }
   return text;
 }
@@ -117,7 +119,7 @@ Finding judge(const StudyRecords& records) {
   finding.measured = "alpha of greedy: mean " + fixed(mean(values), 4) + ", 95% below " +
                      fixed(quantile(values, 0.95), 4) + ", largest " +
                      fixed(*std::max_element(values.begin(), values.end()), 4) + " on " + grouped(values.size()) +
-                     " instances, " + size_range(finding.rows) + "; " + percent(count_in_band(values), values.size()) +
+                     " instances, " + size_range(finding.rows) + "; " + percent(share_in_band(values)) +
                      " lie in 1.1-1.5" + best_fit(records);
   finding.details = details_of(records);
   return finding;

@@ -95,9 +95,9 @@ std::optional<PowerLaw> growth_of(const Runs& runs, const RunValue& value, std::
 }
 
 std::string exponent_text(const PowerLaw& law) {
-  const std::string value = fixed(law.exponent.value, 2);
-  if (!law.has_interval) return value;
-  return value + " (" + fixed(law.exponent.lower, 2) + " to " + fixed(law.exponent.upper, 2) + ")";
+  const auto shown = [](double exponent) { return fixed(std::abs(exponent) < 0.005 ? 0 : exponent, 2); };
+  if (!law.has_interval) return shown(law.exponent.value);
+  return shown(law.exponent.value) + " (" + shown(law.exponent.lower) + " to " + shown(law.exponent.upper) + ")";
 }
 
 std::string significant(double value, int digits) {

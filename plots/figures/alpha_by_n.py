@@ -16,6 +16,7 @@ CAPTION = (
 SHOWN = ("hull_insertion", "quadtree", "delaunay", "flip_report", "greedy", "patch")
 LOWEST_EXCESS = 1e-5
 MOST_FAMILIES = 9
+SMALLEST_N = 20
 
 
 def families_of(rated):
@@ -52,7 +53,7 @@ def set_common_scale(all_axes):
 
 
 def draw(results, families=None):
-    rated = results.rated
+    rated = results.rated[results.rated["n"] >= SMALLEST_N]
     families = families or families_of(rated)
     present = set(rated["label"])
     labels = [label for label in report_first(present) if label in SHOWN]

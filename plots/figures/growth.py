@@ -12,22 +12,35 @@ CAPTION = (
     "promises of hull insertion."
 )
 SMALLEST_SLOPE = 0.1
+SMALLEST_N = 20
 MOST_FAMILIES = 9
+MOST_ALIKE = 3  # panels that show the same algorithms
 BASELINES = ("sweep",)  # never meant to be short
 
 
 def series(rated):
     """{family: {label: (alpha by n, exponent, factor)}} of what grows, the steepest families first."""
     found = {}
-    for (family, label), cell in rated[rated["alpha_upper"] > 1].groupby(["family", "label"]):
+    rated = rated[(rated["alpha_upper"] > 1) & (rated["n"] >= SMALLEST_N)]
+    for (family, label), cell in rated.groupby(["family", "label"]):
         alpha = cell.groupby("n")["alpha_upper"].mean()
-        upper = alpha[alpha.index >= 16]
-        if len(upper) < 3 or label in BASELINES:
+        if len(alpha) < 3 or label in BASELINES:
             continue
-        exponent, factor = power_law(upper.index.to_numpy(float), upper.to_numpy())
+        exponent, factor = power_law(alpha.index.to_numpy(float), alpha.to_numpy())
         if exponent > SMALLEST_SLOPE:
             found.setdefault(family, {})[label] = (alpha, exponent, factor)
     return dict(sorted(found.items(), key=lambda item: -max(exponent for _, exponent, _ in item[1].values())))
+
+
+def chosen(growing):
+    """The steepest families, not too many of a kind."""
+    shown, alike = {}, {}
+    for family, of_family in growing.items():
+        kind = tuple(sorted(of_family))
+        alike[kind] = alike.get(kind, 0) + 1
+        if alike[kind] <= MOST_ALIKE and len(shown) < MOST_FAMILIES:
+            shown[family] = of_family
+    return shown
 
 
 def draw_family(axes, of_family, styles):
@@ -35,10 +48,10 @@ def draw_family(axes, of_family, styles):
         alpha, exponent, factor = of_family[label]
         n = alpha.index.to_numpy(float)
         axes.plot(n, alpha, label=f"{label}  e = {exponent:.2f}", **dict(styles[label], linestyle=""))
-        ends = np.array([16, n[-1]])
+        ends = np.array([SMALLEST_N, n[-1]])
         axes.plot(ends, factor * ends**exponent, color=styles.colour(label), linewidth=1.1)
-    n = np.geomspace(16, max(alpha.index.max() for alpha, _, _ in of_family.values()), 40)
-    axes.plot(n, np.log(n) / np.log(16), color=INK, linewidth=0.7, linestyle=":", zorder=1)
+    n = np.geomspace(SMALLEST_N, max(alpha.index.max() for alpha, _, _ in of_family.values()), 40)
+    axes.plot(n, np.log(n) / np.log(SMALLEST_N), color=INK, linewidth=0.7, linestyle=":", zorder=1)
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.minorticks_off()
@@ -50,7 +63,7 @@ def draw_family(axes, of_family, styles):
 
 
 def draw(results):
-    growing = dict(list(series(results.rated).items())[:MOST_FAMILIES])
+    growing = chosen(series(results.rated))
     if not growing:
         return None
     styles = Styles(report_first({label for of_family in growing.values() for label in of_family}))
