@@ -159,7 +159,7 @@ Claim running_times() {
       "C12",
       "Times: brute force exponential, greedy O(n^4), DP + insertion O(n^3), local search O(n^2 I) for I passes, "
       "quadtree and Delaunay O(n log n)",
-      "4.2 - 6",
+      "4.2 to 6",
       "CPU times above 20 us on uniform points, for DP + insertion also on circle, where the hull is everything; for "
       "O(n log n) from n = 1,000",
       "each stated time is an upper bound: refuted if the fitted exponent's lower 95% limit exceeds the stated one by "
