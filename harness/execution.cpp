@@ -111,6 +111,11 @@ Execution execute_repeatedly(const Request& request, Points points, double min_t
   return execution;
 }
 
+void prepare_timing() {
+  static_cast<void>(benchmark::CPUInfo::Get());
+  static_cast<void>(benchmark::SystemInfo::Get());
+}
+
 Judgement judge(Points points, const Triangulation& triangulation) {
   Judgement judgement;
   if (const auto violation = find_violation(points, triangulation)) {

@@ -52,6 +52,10 @@ struct Execution {
 /// Not reentrant: meant for a worker process of its own.
 [[nodiscard]] Execution execute_repeatedly(const Request& request, Points points, double min_time_s);
 
+/// Lets the timing engine look at the machine, which takes it a millisecond: before forking processes that each would
+/// look again.
+void prepare_timing();
+
 /// What the checker and the certified sums say about a triangulation.
 struct Judgement {
   std::optional<std::string> violation;  ///< the rest is meaningless if there is one

@@ -7,9 +7,9 @@
 #include "geometry/delaunay.h"
 #include "geometry/error.h"
 #include "harness/quality.h"
+#include "harness/statistics/quantile.h"
 #include "harness/study/optimum_search.h"
 #include "harness/study/plan.h"
-#include "harness/study/summary.h"
 
 namespace mwt {
 

@@ -53,6 +53,17 @@ std::string wrapped(const std::string& text, std::size_t width, const std::strin
   return result;
 }
 
+std::string claim_text(const JudgedClaim& judged) {
+  constexpr std::size_t kWidth = 110;
+  const auto& [claim, finding] = judged;
+  std::string text = claim->id + std::string(5 - claim->id.size(), ' ');
+  for (const char c : name_of(finding.verdict)) {
+    text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return text + '\n' + wrapped(claim->statement + " (section " + claim->section + ")", kWidth, "     ") +
+         wrapped("-> " + finding.measured, kWidth, "     ");
+}
+
 }  // namespace
 
 std::string_view name_of(ClaimVerdict verdict) {
@@ -92,15 +103,17 @@ std::vector<JudgedClaim> judge_claims(const StudyRecords& records) {
 }
 
 std::string claims_text(const std::vector<JudgedClaim>& judged) {
-  constexpr std::size_t kWidth = 110;
   std::string text = "the source report's claims\n";
+  std::vector<std::string> not_judged;
   for (const JudgedClaim& result : judged) {
-    const Claim& claim = *result.claim;
-    std::string head = claim.id + std::string(5 - claim.id.size(), ' ');
-    for (const char c : name_of(result.finding.verdict)) head += static_cast<char>(std::toupper(c));
-    text += head + '\n' + wrapped(claim.statement + " (section " + claim.section + ")", kWidth, "     ") +
-            wrapped("-> " + result.finding.measured, kWidth, "     ");
+    const bool is_about = !result.finding.rows.empty() || result.finding.verdict != ClaimVerdict::undecided;
+    if (is_about) {
+      text += claim_text(result);
+    } else {
+      not_judged.push_back(result.claim->id);
+    }
   }
+  if (!not_judged.empty()) text += "no run of this study is about " + joined(not_judged) + '\n';
   return text;
 }
 
@@ -119,13 +132,6 @@ void write_claims(const std::string& folder, const std::vector<JudgedClaim>& jud
   write_table(fs::path(folder) / "claim_rows.csv", {"claim", "run_id"}, rows);
   write_table(fs::path(folder) / "claims.csv",
               {"claim", "statement", "section", "measured", "evidence", "verdict", "rule", "command"}, claims);
-}
-
-std::string report_claims(const std::string& folder) {
-  const StudyRecords records = read_records(folder);
-  const std::vector<JudgedClaim> judged = judge_claims(records);
-  write_claims(folder, judged);
-  return claims_text(judged);
 }
 
 }  // namespace mwt

@@ -20,16 +20,12 @@ struct JudgedClaim {
 /// Deterministic. The result must not outlive `records`.
 [[nodiscard]] std::vector<JudgedClaim> judge_claims(const StudyRecords& records);
 
-/// The verdicts as text for a terminal.
+/// The verdicts as text for a terminal; in one line the claims that no run of the study is about.
 [[nodiscard]] std::string claims_text(const std::vector<JudgedClaim>& judged);
 
 /// Writes into the results folder, replacing what was there (results/README.md has the columns): claims.csv, one row
 /// per claim; claim_rows.csv, the ids of the runs that each was judged by; claim_details/ID.csv where there are any.
 /// Throws InputError if it cannot.
 void write_claims(const std::string& folder, const std::vector<JudgedClaim>& judged);
-
-/// Reads the records in `folder`, judges, writes, and returns claims_text(). Throws InputError: no or unreadable
-/// records.
-std::string report_claims(const std::string& folder);
 
 }  // namespace mwt

@@ -312,6 +312,7 @@ TEST(Claims, AreWrittenWithTheirRowsAndDetails) {
   EXPECT_EQ(parse_csv(testing::read_text(folder.path("claim_details/C10.csv"))).size(), 5U);
   EXPECT_FALSE(std::filesystem::exists(folder.path("claim_details/C4.csv")));
   EXPECT_NE(claims_text(judged).find("C10  HOLDS"), std::string::npos);
+  EXPECT_NE(claims_text(judged).find("about C1, C2, C3"), std::string::npos);
 }
 
 TEST(Claims, ANewReportLeavesNothingOfAnOldOne) {

@@ -55,6 +55,17 @@ void keep_study_file(const fs::path& folder, const Study& study) {
   }
 }
 
+// A killed study's last worker holds the lock a little longer than the study itself, until the system ends it too.
+bool lock_within_patience(int descriptor) {
+  constexpr int kAttempts = 50;
+  constexpr useconds_t kPause = 20000;  // us
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
+    usleep(kPause);
+  }
+  return false;
+}
+
 }  // namespace
 
 // The lock is on the folder itself: it leaves no file and ends with the process, however that ends.
@@ -62,7 +73,7 @@ FolderLock::FolderLock(const std::string& folder) {
   make_folder(folder);
   descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ < 0) throw InputError(folder + ": " + std::strerror(errno));
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+  if (!lock_within_patience(descriptor_)) {
     close(descriptor_);
     throw InputError(folder + ": another mwt run is writing here; wait for it or choose another folder with --out");
   }
@@ -84,6 +95,12 @@ ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool r
   instances_ = records_of(instance_file_->existing_rows(), instance_columns(), (folder / "instances.csv").string());
 }
 
+std::set<std::string> ResultsFolder::run_ids() const {
+  std::set<std::string> ids;
+  for (const RunRecord& record : runs_) ids.insert(record.run_id);
+  return ids;
+}
+
 void ResultsFolder::append(const RunRecord& record) {
   run_file_->append(to_row(run_columns(), record));
   runs_.push_back(record);
@@ -101,7 +118,7 @@ void ResultsFolder::append(const EnvironmentRecord& record) {
 namespace {
 
 template <class Record>
-std::vector<Record> read_file_of_records(const std::string& folder, const std::string& name,
+std::vector<Record> read_file_of_records(const std::string& folder, const char* name,
                                          const std::vector<Column<Record>>& columns) {
   const std::string file = (fs::path(folder) / name).string();
   std::vector<CsvRow> rows = parse_csv(read_file(file));
@@ -110,6 +127,14 @@ std::vector<Record> read_file_of_records(const std::string& folder, const std::s
   }
   rows.erase(rows.begin());
   return records_of(rows, columns, file);
+}
+
+template <class Record>
+void write_file_of_records(const std::string& folder, const char* name, const std::vector<Column<Record>>& columns,
+                           const std::vector<Record>& records) {
+  std::string content = csv_line(header_of(columns));
+  for (const Record& record : records) content += csv_line(to_row(columns, record));
+  write_file_atomically((fs::path(folder) / name).string(), content);
 }
 
 }  // namespace
@@ -125,6 +150,15 @@ StudyRecords read_records(const std::string& folder) {
   records.instances = read_file_of_records(folder, "instances.csv", instance_columns());
   records.environments = read_file_of_records(folder, "environments.csv", environment_columns());
   return records;
+}
+
+void write_records(const std::string& folder, const StudyRecords& records) {
+  const FolderLock lock(folder);
+  require_empty(folder);
+  write_file_atomically((fs::path(folder) / "study.toml").string(), records.study_file);
+  write_file_of_records(folder, "environments.csv", environment_columns(), records.environments);
+  write_file_of_records(folder, "instances.csv", instance_columns(), records.instances);
+  write_file_of_records(folder, "runs.csv", run_columns(), records.runs);
 }
 
 }  // namespace mwt

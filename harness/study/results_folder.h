@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ class ResultsFolder {
   /// All records, those of earlier invocations first.
   [[nodiscard]] const std::vector<RunRecord>& runs() const { return runs_; }
   [[nodiscard]] const std::vector<InstanceRecord>& instances() const { return instances_; }
+  [[nodiscard]] std::set<std::string> run_ids() const;
 
  private:
   FolderLock lock_;
@@ -64,5 +66,9 @@ struct StudyRecords {
 
 /// Complete rows only, so that a study may be running there meanwhile. Throws InputError as read_runs().
 [[nodiscard]] StudyRecords read_records(const std::string& folder);
+
+/// Makes a results folder; runs.csv last, so that none is half there. Throws InputError: it holds something already, or
+/// cannot be written.
+void write_records(const std::string& folder, const StudyRecords& records);
 
 }  // namespace mwt

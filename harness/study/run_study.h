@@ -1,4 +1,4 @@
-// Runs a study from plan to tables.
+// Runs a study from plan to records.
 #pragma once
 
 #include <optional>
@@ -6,6 +6,7 @@
 #include <string>
 
 #include "harness/catalogue.h"
+#include "harness/study/plan.h"
 #include "harness/study/study.h"
 
 namespace mwt {
@@ -16,6 +17,8 @@ struct RunOptions {
   int jobs = 1;  ///< runs side by side; more than one disturbs times
   bool is_terminal = false;
   std::optional<std::string> cache_folder{};  ///< where proved optima are kept (harness/optimum_cache.h); none: nowhere
+  Shard shard{};
+  bool accepts_other_build = false;  ///< whether records of another build of this program may be continued
 };
 
 struct StudyOutcome {
@@ -26,14 +29,14 @@ struct StudyOutcome {
 };
 
 /// First the optimum of every instance, from the cache if it has it, then every run that is not recorded yet, each in a
-/// process of its own; every result is on the disk before the next one begins. Progress, notes and the final tables go
-/// to `out`.
+/// process of its own; every result is on the disk before the next one begins. Progress and notes go to `out`.
 ///
 /// Every row's optimum is all that is certified about its instance by then: what the optimum sources found, what exact
 /// runs found since, and, as an upper end, the run's own weight. Intervals that exclude each other make the row an
 /// error and are announced: one of the solvers is wrong.
 ///
-/// Throws InputError for everything that is wrong with the study or the folder, before anything is run.
+/// Throws InputError for everything that is wrong with the study or the folder, before anything is run: also if runs
+/// are missing in a folder whose runs were recorded by another build, for times and results of two are not one study.
 [[nodiscard]] StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const RunOptions& options,
                                      std::ostream& out);
 

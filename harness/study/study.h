@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "harness/study/instance_files.h"
 
 namespace mwt {
 
@@ -49,12 +50,14 @@ struct Study {
   std::string file_content;  ///< copied into the results
   std::string folder;        ///< of the study file: start triangulations that it names are sought here
   std::vector<FamilyChoice> families;
+  InstanceFiles instance_files;
   std::vector<Index> sizes;
   std::vector<std::uint64_t> seeds = {1};
   std::vector<AlgorithmChoice> algorithms;
   int repetitions = 1;
   int threads = 1;
-  double min_time_s = 0.005;  ///< executions are repeated until they fill this: steady times for microsecond runs
+  double min_time_s = 0.005;        ///< executions are repeated until they fill this: steady times for microsecond runs
+  bool measures_yardstick = false;  ///< every run also times CGAL's Delaunay triangulation of its points
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;

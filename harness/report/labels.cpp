@@ -1,0 +1,29 @@
+#include "harness/report/labels.h"
+
+namespace mwt {
+
+namespace {
+
+std::string label(const std::map<std::string, std::set<std::string>>& known, const std::string& name,
+                  const std::string& parameters) {
+  return known.at(name).size() == 1 || parameters.empty() ? name : name + ' ' + parameters;
+}
+
+}  // namespace
+
+Labels::Labels(const std::vector<Cell>& cells) {
+  for (const Cell& cell : cells) {
+    family_parameters_[cell.key.generator].insert(cell.key.generator_params);
+    algorithm_parameters_[cell.key.algorithm].insert(cell.key.params);
+  }
+}
+
+std::string Labels::family(const CellKey& key) const {
+  return label(family_parameters_, key.generator, key.generator_params);
+}
+
+std::string Labels::algorithm(const CellKey& key) const {
+  return label(algorithm_parameters_, key.algorithm, key.params);
+}
+
+}  // namespace mwt

@@ -1,0 +1,64 @@
+#include "harness/report/report.h"
+
+#include <filesystem>
+
+#include "geometry/error.h"
+#include "geometry/output_file.h"
+#include "harness/claims/claims.h"
+#include "harness/report/final_rating.h"
+#include "harness/report/summary_files.h"
+#include "harness/report/tables.h"
+
+namespace mwt {
+
+namespace {
+
+void write(const ReportData& data, const char* name, const std::string& content, std::ostream& out) {
+  const std::string path = (std::filesystem::path(data.folder) / name).string();
+  write_file_atomically(path, content);
+  out << "written: " << path << '\n';
+}
+
+void print_cells(const ReportData& data, std::ostream& out) { out << cell_tables(data.summaries, data.labels) << '\n'; }
+
+void print_growth(const ReportData& data, std::ostream& out) {
+  const std::string table = growth_tables(data.growth, data.labels);
+  if (!table.empty()) out << table << '\n';
+}
+
+void print_algorithms(const ReportData& data, std::ostream& out) {
+  out << algorithm_table(data.cells, data.labels) << '\n';
+}
+
+void write_summary(const ReportData& data, std::ostream& out) {
+  write(data, "summary.csv", summary_csv(data.records.runs.front().study, data.summaries), out);
+}
+
+void write_exponents(const ReportData& data, std::ostream& out) {
+  write(data, "exponents.csv", exponents_csv(data.records.runs.front().study, data.growth), out);
+}
+
+void judge_source_report(const ReportData& data, std::ostream& out) {
+  const std::vector<JudgedClaim> judged = judge_claims(data.records);
+  write_claims(data.folder, judged);
+  out << "written: " << data.folder << "/claims.csv, claim_rows.csv, claim_details/\n\n" << claims_text(judged);
+}
+
+}  // namespace
+
+ReportData read_report_data(const std::string& folder) {
+  StudyRecords records = read_records(folder);
+  if (records.runs.empty()) throw InputError(folder + ": no runs are recorded here yet");
+  records.runs = finally_rated(records);
+  std::vector<Cell> cells = cells_of(records.runs);
+  std::vector<CellSummary> summaries = summarise(cells);
+  std::vector<SeriesGrowth> growth = growth_of(cells);
+  Labels labels(cells);
+  return {folder, std::move(records), std::move(cells), std::move(summaries), std::move(growth), std::move(labels)};
+}
+
+std::vector<ReportPart> report_parts() {
+  return {print_cells, print_growth, print_algorithms, write_summary, write_exponents, judge_source_report};
+}
+
+}  // namespace mwt

@@ -1,0 +1,36 @@
+// What `mwt report` makes of the records of a study: tables for people, files for programs.
+#pragma once
+
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "harness/report/cell_summary.h"
+#include "harness/report/growth.h"
+#include "harness/report/labels.h"
+#include "harness/study/results_folder.h"
+
+namespace mwt {
+
+/// Everything that the parts of a report are made from, computed once.
+struct ReportData {
+  std::string folder;
+  StudyRecords records;  ///< the runs finally_rated()
+  std::vector<Cell> cells;
+  std::vector<CellSummary> summaries;
+  std::vector<SeriesGrowth> growth;
+  Labels labels;
+};
+
+/// Throws InputError as read_records(), and if there are no runs yet.
+[[nodiscard]] ReportData read_report_data(const std::string& folder);
+
+/// One part of a report: prints to `out`, or writes files in the folder and says so. To add one: its function, and its
+/// line in report_parts().
+using ReportPart = std::function<void(const ReportData& data, std::ostream& out)>;
+
+/// In the order in which a reader wants them.
+[[nodiscard]] std::vector<ReportPart> report_parts();
+
+}  // namespace mwt

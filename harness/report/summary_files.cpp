@@ -1,0 +1,133 @@
+#include "harness/report/summary_files.h"
+
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "geometry/number_text.h"
+#include "harness/csv.h"
+
+namespace mwt {
+
+namespace {
+
+template <class Row>
+using Columns = std::vector<std::pair<std::string, std::function<std::string(const Row&)>>>;
+
+template <class Row>
+std::string csv_table(const std::string& study, const Columns<Row>& columns, const std::vector<Row>& rows) {
+  CsvRow fields = {"schema_version", "study"};
+  for (const auto& [name, text_of] : columns) fields.push_back(name);
+  std::string text = csv_line(fields);
+  for (const Row& row : rows) {
+    fields = {std::to_string(kSchemaVersion), study};
+    for (const auto& [name, text_of] : columns) fields.push_back(text_of(row));
+    text += csv_line(fields);
+  }
+  return text;
+}
+
+std::string text_of(const std::optional<double>& value) { return value ? number_text(*value) : ""; }
+
+// Whatever row a key is taken from by `key_of`.
+template <class Row, class KeyOf>
+Columns<Row> key_columns(KeyOf key_of) {
+  return {{"generator", [=](const Row& row) { return key_of(row).generator; }},
+          {"generator_params", [=](const Row& row) { return key_of(row).generator_params; }},
+          {"algorithm", [=](const Row& row) { return key_of(row).algorithm; }},
+          {"params", [=](const Row& row) { return key_of(row).params; }}};
+}
+
+using StatisticOf = std::optional<Statistic> CellSummary::*;
+
+// name, name_lower, name_upper; the ends are empty where there is no interval.
+void add_statistic(Columns<CellSummary>& columns, const std::string& name, StatisticOf member) {
+  const auto end = [member](double Estimate::*part) {
+    return [member, part](const CellSummary& row) {
+      const auto& statistic = row.*member;
+      const bool is_known = statistic && (statistic->has_interval || part == &Estimate::value);
+      return is_known ? number_text(statistic->estimate.*part) : "";
+    };
+  };
+  columns.emplace_back(name, end(&Estimate::value));
+  columns.emplace_back(name + "_lower", end(&Estimate::lower));
+  columns.emplace_back(name + "_upper", end(&Estimate::upper));
+}
+
+Columns<CellSummary> summary_columns() {
+  using Row = CellSummary;
+  const auto count = [](std::size_t Cell::*member) {
+    return [member](const Row& row) { return std::to_string(row.cell.*member); };
+  };
+  Columns<Row> columns = key_columns<Row>([](const Row& row) { return row.cell.key; });
+  columns.emplace_back("n", [](const Row& row) { return std::to_string(row.cell.key.n); });
+  columns.emplace_back("runs", count(&Cell::runs));
+  columns.emplace_back("failures", count(&Cell::failures));
+  columns.emplace_back("not_applicable", count(&Cell::not_applicable));
+  columns.emplace_back("instances", count(&Cell::instances));
+  add_statistic(columns, "wall_time_median_s", &Row::time);
+  add_statistic(columns, "time_over_yardstick_median", &Row::yardsticks);
+  columns.emplace_back("peak_rss_median_bytes", [](const Row& row) { return text_of(row.peak_rss_bytes); });
+  columns.emplace_back("rated_instances", [](const Row& row) { return std::to_string(row.cell.alphas.size()); });
+  add_statistic(columns, "alpha_mean", &Row::alpha_mean);
+  add_statistic(columns, "alpha_median", &Row::alpha_median);
+  add_statistic(columns, "alpha_p95", &Row::alpha_p95);
+  columns.emplace_back(
+      "alpha_max", [](const Row& row) { return row.cell.alphas.empty() ? "" : number_text(row.cell.largest_alpha); });
+  columns.emplace_back("optimal_share", [](const Row& row) { return text_of(row.optimal_share); });
+  columns.emplace_back("optimal_share_lower",
+                       [](const Row& row) { return row.optimal_range ? number_text(row.optimal_range->lower) : ""; });
+  columns.emplace_back("optimal_share_upper",
+                       [](const Row& row) { return row.optimal_range ? number_text(row.optimal_range->upper) : ""; });
+  return columns;
+}
+
+// A row of exponents.csv.
+struct FittedMeasure {
+  CellKey series;
+  std::string measure;
+  Growth growth;
+};
+
+Columns<FittedMeasure> growth_columns() {
+  using Row = FittedMeasure;
+  const auto count = [](auto Growth::*member) {
+    return [member](const Row& row) { return std::to_string(row.growth.*member); };
+  };
+  const auto end_of_interval = [](double Estimate::*end) {
+    return [end](const Row& row) {
+      const PowerLaw& law = row.growth.law;
+      return law.has_interval ? number_text(law.exponent.*end) : "";
+    };
+  };
+  Columns<Row> columns = key_columns<Row>([](const Row& row) { return row.series; });
+  columns.emplace_back("measure", [](const Row& row) { return row.measure; });
+  columns.emplace_back("sizes", count(&Growth::sizes));
+  columns.emplace_back("observations", count(&Growth::observations));
+  columns.emplace_back("smallest_n", count(&Growth::smallest_n));
+  columns.emplace_back("largest_n", count(&Growth::largest_n));
+  columns.emplace_back("exponent", [](const Row& row) { return number_text(row.growth.law.exponent.value); });
+  columns.emplace_back("exponent_lower", end_of_interval(&Estimate::lower));
+  columns.emplace_back("exponent_upper", end_of_interval(&Estimate::upper));
+  columns.emplace_back("factor", [](const Row& row) { return number_text(std::exp(row.growth.law.log_factor.value)); });
+  columns.emplace_back("r_squared", [](const Row& row) { return number_text(row.growth.law.r_squared); });
+  return columns;
+}
+
+}  // namespace
+
+std::string summary_csv(const std::string& study, const std::vector<CellSummary>& cells) {
+  return csv_table(study, summary_columns(), cells);
+}
+
+std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth) {
+  std::vector<FittedMeasure> rows;
+  for (const SeriesGrowth& series : growth) {
+    if (series.time) rows.push_back({series.series, "wall_time_s", *series.time});
+    if (series.alpha) rows.push_back({series.series, "alpha", *series.alpha});
+  }
+  return csv_table(study, growth_columns(), rows);
+}
+
+}  // namespace mwt

@@ -1,0 +1,18 @@
+// summary.csv and exponents.csv: the figures of a report, for programs. results/README.md explains every column.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/report/cell_summary.h"
+#include "harness/report/growth.h"
+
+namespace mwt {
+
+/// The content of summary.csv: one row per cell.
+[[nodiscard]] std::string summary_csv(const std::string& study, const std::vector<CellSummary>& cells);
+
+/// The content of exponents.csv: one row per series and measure that has a law.
+[[nodiscard]] std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth);
+
+}  // namespace mwt

@@ -1,0 +1,14 @@
+// What `mwt run STUDY --dry-run` says.
+#pragma once
+
+#include <ostream>
+
+#include "harness/study/run_study.h"
+
+namespace mwt {
+
+/// Prints instances, runs, limits and an estimate of the time; the better if options.folder has records of the study.
+/// Runs and writes nothing. Throws InputError for everything that is wrong with the study.
+void dry_run(const Study& study, const Catalogue& catalogue, const RunOptions& options, std::ostream& out);
+
+}  // namespace mwt
