@@ -15,6 +15,7 @@
 #include "algorithms/subset_dp/subset_dp.h"
 #include "algorithms/sweep/sweep.h"
 #include "algorithms/triangle_lp/triangle_lp.h"
+#include "algorithms/two_chains/two_chains.h"
 #include "geometry/error.h"
 
 namespace mwt {
@@ -27,6 +28,7 @@ std::span<const AlgorithmInfo> algorithms() {
       delaunay_entry(),    sweep_entry(),       greedy_report_entry(), greedy_entry(),      hull_insertion_entry(),
       flip_report_entry(), flip_entry(),        patch_entry(),         annealing_entry(),   quadtree_entry(),
       polygon_dp_entry(),  brute_force_entry(), subset_dp_entry(),     triangle_lp_entry(), exact_entry(),
+      two_chains_entry(),
   };
   // clang-format on
   return entries;

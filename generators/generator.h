@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,18 +15,36 @@ namespace mwt {
 /// Throws InputError naming the nearest legal n if the family has no instance of n points.
 using GeneratorFunction = std::vector<Point> (*)(Index n, std::uint64_t seed, const Parameters& parameters);
 
+/// What a family's entry says about alpha of one algorithm on it, as data that a study can confirm or refute.
+struct GrowthLaw {
+  enum class Kind {
+    power,  ///< alpha grows like n^e: lowest <= e <= highest, the slope of log alpha over log n
+    range   ///< lowest <= alpha <= highest
+  };
+
+  std::string algorithm;                                    ///< by its name in the registry of algorithms
+  std::map<std::string, std::string> algorithm_parameters;  ///< those that are not the algorithm's defaults
+  std::map<std::string, std::string> parameters;            ///< of the family: those that are not its defaults
+  Kind kind = Kind::power;
+  double lowest = 0;
+  double highest = 0;
+  Index smallest_n = 3;  ///< the law speaks of smallest_n <= n <= largest_n
+  Index largest_n = 0;
+};
+
 /// A registry entry: one family of instances.
 struct GeneratorInfo {
   std::string name;
   std::string summary;   ///< one line
   std::string source;    ///< where the idea comes from
   std::string stresses;  ///< which claim or algorithm it is aimed at
-  std::string law;       ///< known optimum or growth law of alpha, or "none known"
+  std::string law;       ///< known optimum or growth law of alpha, or "none known"; for people
   Index smallest_n = 3;
   Index largest_n = 0;  ///< largest n that double precision carries
   Index fixed_n = 0;    ///< for a named instance its only n (then also smallest_n and largest_n), else 0
   bool seeded = true;   ///< whether the seed changes the points
   std::vector<ParameterInfo> parameters;
+  std::vector<GrowthLaw> growth_laws{};  ///< the measurable part of `law`
   GeneratorFunction function = nullptr;
 };
 

@@ -5,6 +5,8 @@
 #include <boost/random/uniform_real_distribution.hpp>
 #include <utility>
 
+#include "generators/unit_circle.h"
+
 namespace mwt {
 
 namespace {
@@ -41,6 +43,11 @@ Point standard_normal_point(RandomEngine& engine) {
   const double x = standard_normal(engine);
   const double y = standard_normal(engine);
   return {x, y};
+}
+
+Point random_direction(RandomEngine& engine) {
+  constexpr std::uint64_t kFullTurn = std::uint64_t{1} << 53;
+  return unit_circle_point(uniform_below(engine, kFullTurn), kFullTurn);
 }
 
 void shuffle(std::vector<Point>& points, RandomEngine& engine) {

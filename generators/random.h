@@ -46,6 +46,9 @@ using RandomEngine = boost::random::mt19937_64;
 /// Both coordinates standard normal, independent.
 [[nodiscard]] Point standard_normal_point(RandomEngine& engine);
 
+/// Uniform on the unit circle.
+[[nodiscard]] Point random_direction(RandomEngine& engine);
+
 /// All orders are equally likely. O(n).
 void shuffle(std::vector<Point>& points, RandomEngine& engine);
 

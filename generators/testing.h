@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "generators/registry.h"
+#include "geometry/convex_hull.h"
 #include "geometry/error.h"
 #include "geometry/point_set.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 
@@ -27,6 +29,23 @@ inline std::string refusal(const std::string& family, Index n,
   } catch (const InputError& error) {
     return error.what();
   }
+}
+
+/// Whether every three consecutive points of the open chain make a turn of that sign.
+inline bool turns_everywhere(const std::vector<Point>& chain, int sign) {
+  for (std::size_t i = 2; i < chain.size(); ++i) {
+    if (orientation(chain[i - 2], chain[i - 1], chain[i]) != sign) return false;
+  }
+  return true;
+}
+
+/// Whether no two points are the same and each of them is a corner of the convex hull.
+inline bool is_in_strictly_convex_position(const std::vector<Point>& points) {
+  std::vector<Point> cycle;
+  for (const Index i : convex_hull(points)) cycle.push_back(points[i]);
+  if (cycle.size() != points.size()) return false;
+  cycle.insert(cycle.end(), {cycle[0], cycle[1]});
+  return turns_everywhere(cycle, 1);
 }
 
 }  // namespace mwt

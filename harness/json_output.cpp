@@ -37,6 +37,21 @@ Json json_of(const std::vector<ParameterInfo>& parameters) {
   return array;
 }
 
+Json json_of(const std::vector<GrowthLaw>& laws) {
+  Json array = Json::array();
+  for (const GrowthLaw& law : laws) {
+    array.push_back({{"algorithm", law.algorithm},
+                     {"algorithm_parameters", law.algorithm_parameters},
+                     {"parameters", law.parameters},
+                     {"measure", law.kind == GrowthLaw::Kind::power ? "exponent" : "alpha"},
+                     {"lowest", law.lowest},
+                     {"highest", law.highest},
+                     {"smallest_n", law.smallest_n},
+                     {"largest_n", law.largest_n}});
+  }
+  return array;
+}
+
 // Never fails on bytes that are no UTF-8 (a file name in a parameter): they are replaced.
 std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
@@ -104,7 +119,8 @@ std::string to_json(std::span<const GeneratorInfo> generators) {
                      {"largest_n", info.largest_n},
                      {"fixed_n", info.fixed_n == 0 ? Json() : Json(info.fixed_n)},
                      {"seeded", info.seeded},
-                     {"parameters", json_of(info.parameters)}});
+                     {"parameters", json_of(info.parameters)},
+                     {"growth_laws", json_of(info.growth_laws)}});
   }
   return text_of(array);
 }

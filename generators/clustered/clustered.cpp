@@ -3,7 +3,6 @@
 #include "generators/arguments.h"
 #include "generators/distinct_points.h"
 #include "generators/random.h"
-#include "generators/unit_circle.h"
 
 namespace mwt {
 
@@ -21,11 +20,6 @@ struct Cluster {
             centre.y + (standard.x * first_axis.y + standard.y * second_axis.y)};
   }
 };
-
-Point random_direction(RandomEngine& engine) {
-  constexpr std::uint64_t kFullTurn = std::uint64_t{1} << 53;
-  return unit_circle_point(uniform_below(engine, kFullTurn), kFullTurn);
-}
 
 Cluster random_cluster(RandomEngine& engine, double sigma, ClusterShape shape) {
   const Point centre = uniform_in_square(engine);

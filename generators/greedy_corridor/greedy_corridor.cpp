@@ -18,6 +18,22 @@ std::vector<Point> greedy_corridor(Index n, std::uint64_t, const Parameters& par
 
 }  // namespace
 
+namespace {
+
+GrowthLaw root_growth(const std::string& algorithm, const std::string& start, const std::string& shape) {
+  const bool has_start = !start.empty();
+  return {.algorithm = algorithm,
+          .algorithm_parameters =
+              has_start ? std::map<std::string, std::string>{{"start", start}} : std::map<std::string, std::string>{},
+          .parameters = {{"shape", shape}},
+          .lowest = .5,
+          .highest = .56,
+          .smallest_n = 256,
+          .largest_n = 4096};
+}
+
+}  // namespace
+
 GeneratorInfo greedy_corridor_entry() {
   return {.name = "greedy_corridor",
           .summary = "two facing reflex chains on which greedy goes wrong by a factor of order sqrt n",
@@ -32,6 +48,8 @@ GeneratorInfo greedy_corridor_entry() {
                           "standard",
                           "standard; sharp: larger alpha from n = 1000 on, n at most 150000",
                           {"standard", "sharp"}}},
+          .growth_laws = {root_growth("greedy", "", "standard"), root_growth("flip", "greedy", "standard"),
+                          root_growth("greedy", "", "sharp")},
           .function = greedy_corridor};
 }
 

@@ -16,6 +16,10 @@ GeneratorInfo grid_entry();
 /// O(n).
 [[nodiscard]] std::vector<Point> grid_points(Index n);
 
+/// Every point multiplied by `direction`, both as complex numbers: turned by its angle, scaled by its length. Exact for
+/// small integers; otherwise rounded, so that rows are collinear and cells square only nearly.
+[[nodiscard]] std::vector<Point> tilted(std::vector<Point> points, const Point& direction);
+
 /// ceil(sqrt n), exactly.
 [[nodiscard]] Index ceiling_square_root(Index n);
 

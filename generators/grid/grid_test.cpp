@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "generators/testing.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 namespace {
@@ -30,6 +31,24 @@ TEST(Grid, ceiling_square_roots_are_exact) {
     EXPECT_EQ(ceiling_square_root(g * g), g);
     EXPECT_EQ(ceiling_square_root(g * g + 1), g + 1);
   }
+}
+
+TEST(Grid, an_exact_tilt_keeps_every_tie) {
+  const std::vector<Point> points = generate("grid", 100, 1, {{"tilt", "exact"}});
+  for (std::size_t i = 0; i + 11 < points.size(); ++i) {
+    if (i % 10 > 7) continue;
+    EXPECT_EQ(orientation(points[i], points[i + 1], points[i + 2]), 0);
+    EXPECT_EQ(in_circle(points[i], points[i + 1], points[i + 11], points[i + 10]), 0);
+    EXPECT_EQ(compare_length(points[i], points[i + 1], points[0], points[1]), 0);
+  }
+}
+
+TEST(Grid, a_rounded_tilt_breaks_some_tie) {
+  const std::vector<Point> points = generate("grid", 100, 1, {{"tilt", "rounded"}});
+  int broken = 0;
+  for (std::size_t i = 0; i + 2 < 10; ++i) broken += orientation(points[i], points[i + 1], points[i + 2]) != 0;
+  EXPECT_GT(broken, 0);
+  EXPECT_EQ(golden_hash("grid", 100, 1, {{"tilt", "rounded"}}), "a684f8b7461230bcb0b89ddadee49a21");
 }
 
 }  // namespace

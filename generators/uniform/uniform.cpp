@@ -6,15 +6,37 @@
 
 namespace mwt {
 
-GeneratorInfo uniform_entry() {
-  return {.name = "uniform",
-          .summary = "independent points, uniform in the unit square",
-          .source = "the standard random model; Steele, Annals of Probability 10 (1982), for its optimum",
-          .stresses = "the report's claims C4, C6 and C10 on ordinary input",
-          .law = "w(T*) grows like sqrt n; alpha of greedy stays below 1.03, of insertion grows like n^0.22",
-          .largest_n = kMostPoints,
+namespace {
+
+GrowthLaw law(const std::string& algorithm, GrowthLaw::Kind kind, double lowest, double highest) {
+  return {.algorithm = algorithm,
+          .algorithm_parameters = {},
           .parameters = {},
-          .function = [](Index n, std::uint64_t seed, const Parameters&) { return uniform_points(n, seed); }};
+          .kind = kind,
+          .lowest = lowest,
+          .highest = highest,
+          .smallest_n = 256,
+          .largest_n = 65536};
+}
+
+}  // namespace
+
+GeneratorInfo uniform_entry() {
+  return {
+      .name = "uniform",
+      .summary = "independent points, uniform in the unit square",
+      .source = "the standard random model; Steele, Annals of Probability 10 (1982), for its optimum",
+      .stresses = "the report's claims C4, C6 and C10 on ordinary input",
+      .law =
+          "w(T*) grows like sqrt n; alpha of greedy stays below 1.03, of insertion grows like n^0.22, of the sweep "
+          "like "
+          "sqrt n",
+      .largest_n = kMostPoints,
+      .parameters = {},
+      .growth_laws = {law("greedy", GrowthLaw::Kind::range, 1, 1.03), law("delaunay", GrowthLaw::Kind::range, 1, 1.03),
+                      law("hull_insertion", GrowthLaw::Kind::power, .2, .26),
+                      law("sweep", GrowthLaw::Kind::power, .45, .55)},
+      .function = [](Index n, std::uint64_t seed, const Parameters&) { return uniform_points(n, seed); }};
 }
 
 std::vector<Point> uniform_points(Index n, std::uint64_t seed) {

@@ -6,6 +6,7 @@
 
 #include "generators/circle/circle.h"
 #include "generators/testing.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 namespace {
@@ -27,6 +28,14 @@ TEST(Wheel, jitter_moves_points_by_at_most_half_its_size) {
     EXPECT_LE(std::abs(moved[i].x - exact[i].x), .0051);
     EXPECT_LE(std::abs(moved[i].y - exact[i].y), .0051);
     EXPECT_NE(moved[i], exact[i]);
+  }
+}
+
+TEST(Wheel, growing_spokes_are_strictly_increasing) {
+  const std::vector<Point> points = wheel_points(1000, 1, 0, .01);
+  const Point& centre = points.back();
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    EXPECT_GT(compare_length(centre, points[i], centre, points[i - 1]), 0) << i;
   }
 }
 

@@ -1,0 +1,32 @@
+// A minimum weight triangulation of two facing reflex chains, by dynamic programming.
+#pragma once
+
+#include "algorithms/algorithm.h"
+#include "algorithms/two_chains/chain_pair.h"
+
+namespace mwt {
+
+/// The best triangulation of the region between the two chains of a pair.
+struct Corridor {
+  std::vector<Triangle> triangles;  ///< counter-clockwise
+  Interval cross_edges;             ///< certified bounds on the least total length of edges from chain to chain, the
+                                    ///< two bridges included
+};
+
+/// Between the chains p_0 .. p_r and q_0 .. q_s (from one bridge to the other) a triangulation is a monotone lattice
+/// path from (0, 0) to (r, s): (i, j) stands for the edge p_i q_j, a step for the triangle between two such edges. A
+/// shortest path by dynamic programming over double-double sums. O(r s) time and bits, O(s) words.
+/// Ties (of sums that agree to about 100 bits): the step along the first chain.
+[[nodiscard]] Corridor triangulate_corridor(Points points, const ChainPair& pair);
+
+/// Registry entry. The polygons that the chains bound by the O(k^3) polygon program (polygon_dp.h), the corridor as
+/// above: together a minimum weight triangulation, because the chains' edges are in every triangulation (chain_pair.h).
+///
+/// NotApplicable unless the points are such a pair, decided exactly, or if the chains' lengths multiply to more than
+/// kMostCorridorEdges. A chain of more than kLargestPolygon points is triangulated greedily and bounded from below by
+/// its boundary: the optimum is then an interval. Ignores the deadline. Deterministic.
+[[nodiscard]] AlgorithmInfo two_chains_entry();
+
+inline constexpr std::uint64_t kMostCorridorEdges = std::uint64_t{1} << 32;
+
+}  // namespace mwt
