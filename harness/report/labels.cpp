@@ -1,5 +1,9 @@
 #include "harness/report/labels.h"
 
+#include <string_view>
+
+#include "harness/study/plan.h"
+
 namespace mwt {
 
 namespace {
@@ -18,7 +22,11 @@ Labels::Labels(const std::vector<Cell>& cells) {
   }
 }
 
+// A file's parameter is its name, which says more than "file".
 std::string Labels::family(const CellKey& key) const {
+  constexpr std::string_view kFile = "file=";
+  if (key.generator == kFileGenerator && key.generator_params.starts_with(kFile))
+    return key.generator_params.substr(kFile.size());
   return label(family_parameters_, key.generator, key.generator_params);
 }
 

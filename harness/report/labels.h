@@ -1,4 +1,5 @@
-// What tables call families and algorithms: the name alone, or with its parameters where a study has several of them.
+// What tables call families and algorithms: the name alone, or with its parameters where a study has several of them;
+// point files are called by their names.
 #pragma once
 
 #include <map>

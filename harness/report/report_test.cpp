@@ -171,6 +171,14 @@ TEST(Labels, ParametersAreNamedOnlyWhereTheyDiffer) {
   EXPECT_EQ(Labels(cells_of(runs)).algorithm(first), "patch k=1");
 }
 
+TEST(Labels, FilesAreCalledByTheirNames) {
+  RunRecord run = ok_run("patch", 52, 1, 1, 1);
+  run.generator = "file";
+  run.generator_params = "file=berlin52.tsp";
+  const std::vector<Cell> cells = cells_of({run});
+  EXPECT_EQ(Labels(cells).family(cells[0].key), "berlin52.tsp");
+}
+
 TEST(FinalRating, WhatWasProvedLaterCountsForAll) {
   StudyRecords records;
   records.runs = {ok_run("sweep", 10, 1, 1, 2), ok_run("exact", 10, 1, 1, 1)};

@@ -38,12 +38,9 @@ void make_folder(const fs::path& folder) {
                    (error ? error.message() : "a file is in its place") + "; choose another with --out");
 }
 
-void require_empty(const fs::path& folder) {
+void require_empty(const fs::path& folder, const std::string& remedy) {
   std::error_code error;
-  if (!fs::is_empty(folder, error)) {
-    throw InputError(folder.string() +
-                     ": has results already; continue them with --resume or choose another with --out");
-  }
+  if (!fs::is_empty(folder, error)) throw InputError(folder.string() + ": has something in it already; " + remedy);
 }
 
 void keep_study_file(const fs::path& folder, const Study& study) {
@@ -81,9 +78,12 @@ FolderLock::FolderLock(const std::string& folder) {
 
 FolderLock::~FolderLock() { close(descriptor_); }
 
+// Some file systems cannot; the rows are safe either way.
+void FolderLock::sync() const { static_cast<void>(fsync(descriptor_)); }
+
 ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool resume) : lock_(path) {
   const fs::path folder(path);
-  if (!resume) require_empty(folder);
+  if (!resume) require_empty(folder, "continue its study with --resume or choose another folder with --out");
   keep_study_file(folder, study);
   const auto open_file = [&](const char* name, const CsvRow& header) {
     return std::make_unique<CsvFile>((folder / name).string(), header);
@@ -91,6 +91,7 @@ ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool r
   run_file_ = open_file("runs.csv", header_of(run_columns()));
   instance_file_ = open_file("instances.csv", header_of(instance_columns()));
   environment_file_ = open_file("environments.csv", header_of(environment_columns()));
+  lock_.sync();
   runs_ = records_of(run_file_->existing_rows(), run_columns(), (folder / "runs.csv").string());
   instances_ = records_of(instance_file_->existing_rows(), instance_columns(), (folder / "instances.csv").string());
 }
@@ -123,7 +124,8 @@ std::vector<Record> read_file_of_records(const std::string& folder, const char* 
   const std::string file = (fs::path(folder) / name).string();
   std::vector<CsvRow> rows = parse_csv(read_file(file));
   if (rows.empty() || rows.front() != header_of(columns)) {
-    throw InputError(file + ": its columns are not those of schema version " + std::to_string(kSchemaVersion));
+    throw InputError(file + ": its columns are not those of schema version " + std::to_string(kSchemaVersion) +
+                     "; run the study anew, or use the mwt that wrote them");
   }
   rows.erase(rows.begin());
   return records_of(rows, columns, file);
@@ -154,7 +156,7 @@ StudyRecords read_records(const std::string& folder) {
 
 void write_records(const std::string& folder, const StudyRecords& records) {
   const FolderLock lock(folder);
-  require_empty(folder);
+  require_empty(folder, "choose another folder");
   write_file_atomically((fs::path(folder) / "study.toml").string(), records.study_file);
   write_file_of_records(folder, "environments.csv", environment_columns(), records.environments);
   write_file_of_records(folder, "instances.csv", instance_columns(), records.instances);

@@ -20,6 +20,9 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
+  /// Brings the names of new files in the folder to the disk.
+  void sync() const;
+
  private:
   int descriptor_ = -1;
 };

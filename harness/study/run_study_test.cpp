@@ -85,6 +85,26 @@ TEST(RunStudy, RowsOfGoodRunsAreComplete) {
   EXPECT_EQ(record.binary_sha256.size(), 64u);
 }
 
+TEST(RunStudy, TheYardstickIsMeasuredWhereAStudyAsksForIt) {
+  const TemporaryFolder folder;
+  Study study = study_of({"well", "throws"});
+  run(study, folder.path("without"));
+  EXPECT_FALSE(by_algorithm(folder.path("without")).at("well").yardstick_time_s);
+  study.measures_yardstick = true;
+  run(study, folder.path("with"));
+  EXPECT_GT(by_algorithm(folder.path("with")).at("well").yardstick_time_s.value_or(0), 0);
+  EXPECT_FALSE(by_algorithm(folder.path("with")).at("throws").yardstick_time_s);
+}
+
+TEST(RunStudy, AShardMayBeEmpty) {
+  const TemporaryFolder folder;
+  std::ostringstream out;
+  RunOptions options{folder.path("out")};
+  options.shard = {3, 3};
+  EXPECT_EQ(run_study(study_of({"well"}), testing::test_catalogue(), options, out).runs, 0u);
+  EXPECT_TRUE(read_runs(folder.path("out")).empty());
+}
+
 TEST(RunStudy, AlphaComesFromTheOptimumSources) {
   const TemporaryFolder folder;
   Study study = study_of({"well"}, "fan");
@@ -213,6 +233,37 @@ TEST(RunStudy, ResumingRunsExactlyWhatIsMissing) {
     run(study, folder.path("out"), true);
     EXPECT_EQ(essence(folder.path("out")), expected) << kept;
   }
+}
+
+std::string interrupt_log;
+
+// Sends Ctrl-C to the study the first time.
+Solution interrupt_once(Points points, Context& context) {
+  if (!std::filesystem::exists(interrupt_log)) {
+    write_text(interrupt_log, "x");
+    kill(getppid(), SIGINT);
+    return testing::hang(points, context);
+  }
+  return testing::solve_well(points, context);
+}
+
+TEST(RunStudy, CtrlCEndsItCleanlyAndResumeRunsTheRest) {
+  const TemporaryFolder folder;
+  interrupt_log = folder.path("log");
+  const std::vector<AlgorithmInfo> algorithms = {testing::entry("well", testing::solve_well),
+                                                 testing::entry("interrupts", interrupt_once)};
+  const Catalogue catalogue(algorithms, generators());
+  Study study = study_of({"well", "interrupts"});
+  study.repetitions = 3;
+  std::ostringstream out;
+  const StudyOutcome first = run_study(study, catalogue, {folder.path("out"), false, 1, false}, out);
+  EXPECT_TRUE(first.interrupted);
+  EXPECT_LT(first.runs, 6u);
+  EXPECT_NE(out.str().find("interrupted; the same command with --resume"), std::string::npos) << out.str();
+  EXPECT_EQ(read_runs(folder.path("out")).size(), first.runs) << "the run in flight is no row";
+  const StudyOutcome second = run_study(study, catalogue, {folder.path("out"), true, 1, false}, out);
+  EXPECT_FALSE(second.interrupted);
+  EXPECT_EQ(first.runs + second.runs, 6u);
 }
 
 TEST(RunStudy, ResumingOnNothingBegins) {
