@@ -13,5 +13,6 @@ namespace mwt {
 [[nodiscard]] Command run_command();
 [[nodiscard]] Command merge_command();
 [[nodiscard]] Command report_command();
+[[nodiscard]] Command hunt_command();
 
 }  // namespace mwt

@@ -1,0 +1,35 @@
+// How badly an algorithm does on a small instance, certified: what a hunt maximises.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "harness/catalogue.h"
+#include "harness/execution.h"
+
+namespace mwt {
+
+/// The exact algorithm that a hunt for n points asks: subset_dp as long as it takes less than a millisecond, then
+/// exact. Precondition: n >= 3.
+[[nodiscard]] const AlgorithmInfo& solver_for_hunt(const Catalogue& catalogue, Index n);
+
+/// Rates instances in this process, without a cache. Thread-safe: every call stands for itself.
+class AlphaOracle {
+ public:
+  AlphaOracle(Request request, const AlgorithmInfo& solver);
+
+  /// Certified alpha of the algorithm's triangulation against the solver's proved optimum. Nothing if the points are no
+  /// instance (duplicates, all collinear, not finite), if either algorithm does not take them, or if the solver does
+  /// not prove its result within a second. Throws std::logic_error if a triangulation is invalid or lighter than the
+  /// optimum: one of the two is wrong.
+  [[nodiscard]] std::optional<Interval> rate(const std::vector<Point>& points) const;
+
+  [[nodiscard]] const Request& request() const { return request_; }
+  [[nodiscard]] const AlgorithmInfo& solver() const { return solver_; }
+
+ private:
+  Request request_;
+  const AlgorithmInfo& solver_;
+};
+
+}  // namespace mwt

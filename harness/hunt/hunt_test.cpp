@@ -1,0 +1,153 @@
+#include "harness/hunt/hunt.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "geometry/delaunay.h"
+#include "geometry/error.h"
+#include "harness/hunt/moves.h"
+#include "harness/hunt/state_file.h"
+#include "harness/test_support.h"
+
+namespace mwt {
+namespace {
+
+using testing::read_text;
+using testing::TemporaryFolder;
+using testing::write_text;
+
+HuntPlan plan_for(const std::string& algorithm, Index n, int climbers = 1) {
+  const Catalogue catalogue = Catalogue::built_in();
+  HuntPlan plan;
+  plan.request.algorithm = &catalogue.algorithm(algorithm);
+  plan.request.parameters = Parameters(algorithm, plan.request.algorithm->parameters, {});
+  plan.solver = &solver_for_hunt(catalogue, n);
+  plan.n = n;
+  plan.climbers = climbers;
+  return plan;
+}
+
+HuntResult run(const HuntPlan& plan, std::uint64_t evaluations, const std::string& state_file) {
+  return hunt(plan, {.budget_s = 600, .evaluations = evaluations}, state_file, [](const HuntResult&) {});
+}
+
+TEST(AlphaOracle, rates_what_it_can_and_nothing_else) {
+  const HuntPlan plan = plan_for("delaunay", 5);
+  const AlphaOracle oracle(plan.request, *plan.solver);
+  // A flat quadrilateral: Delaunay takes the long diagonal when the short one is the other.
+  const std::optional<Interval> alpha = oracle.rate({{0, 0}, {10, 1}, {20, 0}, {10, -5}, {10, 12}});
+  ASSERT_TRUE(alpha);
+  EXPECT_GE(alpha->lower, 1);
+  EXPECT_LT(alpha->relative_width(), 1e-12);
+  EXPECT_FALSE(oracle.rate({{0, 0}, {1, 0}, {2, 0}})) << "collinear";
+  EXPECT_FALSE(oracle.rate({{0, 0}, {1, 0}, {0, 0}, {0, 1}})) << "duplicates";
+  const HuntPlan convex = plan_for("polygon_dp", 5);
+  EXPECT_FALSE(AlphaOracle(convex.request, *convex.solver).rate({{0, 0}, {4, 0}, {0, 4}, {1, 1}})) << "not applicable";
+}
+
+TEST(AlphaOracle, an_invalid_triangulation_is_no_find_but_a_failure) {
+  AlgorithmInfo broken;
+  broken.name = "broken";
+  broken.function = [](Points points, Context&) {
+    Solution solution;
+    solution.triangulation = delaunay_triangulation(points);
+    solution.triangulation.triangles.pop_back();
+    return solution;
+  };
+  HuntPlan plan = plan_for("delaunay", 5);
+  plan.request.algorithm = &broken;
+  EXPECT_THROW((void)AlphaOracle(plan.request, *plan.solver).rate({{0, 0}, {4, 0}, {0, 4}, {1, 1}}), std::logic_error);
+  TemporaryFolder folder;
+  EXPECT_THROW((void)run(plan, 100, folder.path("state")), std::logic_error);
+}
+
+TEST(Hunt, moves_change_points_and_keep_their_number) {
+  RandomEngine engine = make_engine("test", 1);
+  const std::vector<Point> start = random_start(10, engine);
+  int unchanged = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const std::vector<Point> points = mutated(start, engine);
+    EXPECT_EQ(points.size(), start.size());
+    unchanged += points == start;
+  }
+  EXPECT_LT(unchanged, 20);
+}
+
+TEST(Hunt, finds_bad_inputs_and_repeats_itself) {
+  TemporaryFolder folder;
+  const HuntResult result = run(plan_for("greedy", 8), 2000, folder.path("a"));
+  EXPECT_GT(result.worst.alpha, 1.05);
+  EXPECT_EQ(result.evaluations, 2000U);
+  EXPECT_EQ(result.worst.points.size(), 8U);
+  const HuntResult again = run(plan_for("greedy", 8), 2000, folder.path("b"));
+  EXPECT_EQ(again.worst.points, result.worst.points);
+  HuntPlan other = plan_for("greedy", 8);
+  other.seed = 2;
+  EXPECT_NE(run(other, 2000, folder.path("c")).worst.points, result.worst.points);
+}
+
+TEST(Hunt, resumed_it_ends_where_it_would_have_ended) {
+  TemporaryFolder folder;
+  const HuntPlan plan = plan_for("flip", 7, 2);
+  (void)run(plan, 300, folder.path("parts"));
+  const HuntResult resumed = run(plan, 700, folder.path("parts"));
+  const HuntResult whole = run(plan, 700, folder.path("whole"));
+  EXPECT_EQ(resumed.evaluations, 1400U);
+  EXPECT_EQ(resumed.worst.points, whole.worst.points);
+  EXPECT_EQ(read_text(folder.path("parts")), read_text(folder.path("whole")));
+}
+
+TEST(Hunt, states_of_other_hunts_and_damaged_ones_are_refused) {
+  TemporaryFolder folder;
+  const std::string path = folder.path("state");
+  (void)run(plan_for("greedy", 6), 20, path);
+  EXPECT_THROW((void)run(plan_for("greedy", 7), 20, path), InputError);
+  EXPECT_THROW((void)run(plan_for("flip", 6), 20, path), InputError);
+  EXPECT_THROW((void)run(plan_for("greedy", 6, 2), 20, path), InputError);
+  const std::string text = read_text(path);
+  write_text(path, text.substr(0, text.size() / 2));
+  EXPECT_THROW((void)run(plan_for("greedy", 6), 20, path), InputError);
+  write_text(path, "");
+  EXPECT_THROW((void)run(plan_for("greedy", 6), 20, path), InputError);
+}
+
+TEST(Hunt, states_survive_the_file_exactly) {
+  TemporaryFolder folder;
+  ClimberState state;
+  state.evaluations = 12345;
+  state.last_progress = 12000;
+  state.current = {{{.1, 1e-300}, {-1e300, 1. / 3}, {0, 5}}, 1.1};
+  state.best = {{{.7, .2}}, 1.0 / 3};
+  write_hunt_state(folder.path("state"), "# who", {state, ClimberState{}});
+  const std::vector<ClimberState> read = read_hunt_state(folder.path("state"), "# who");
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].evaluations, state.evaluations);
+  EXPECT_EQ(read[0].last_progress, state.last_progress);
+  EXPECT_EQ(read[0].current.points, state.current.points);
+  EXPECT_EQ(read[0].best.points, state.best.points);
+  EXPECT_EQ(read[0].best.alpha, state.best.alpha);
+  EXPECT_TRUE(read[1].current.points.empty());
+}
+
+// What a hunt is for.
+TEST(HuntSlow, beats_the_worst_of_10000_random_instances) {
+  const HuntPlan plan = plan_for("greedy", 10);
+  const AlphaOracle oracle(plan.request, *plan.solver);
+  RandomEngine engine = make_engine("test", 1);
+  double worst = 1;
+  for (int i = 0; i < 10'000; ++i) {
+    const std::optional<Interval> alpha = oracle.rate(random_start(10, engine));
+    if (alpha) worst = std::max(worst, alpha->upper);
+  }
+  TemporaryFolder folder;
+  const HuntResult result = run(plan, 10'000, folder.path("state"));
+  RecordProperty("worst_of_random", std::to_string(worst));
+  RecordProperty("hunted", std::to_string(result.worst.alpha));
+  EXPECT_GT(result.worst.alpha, worst);
+  EXPECT_GT(worst, 1);
+}
+
+}  // namespace
+}  // namespace mwt
