@@ -23,12 +23,13 @@ constexpr std::size_t kDeadlineInterval = 256;
 
 class Search {
  public:
-  Search(Points points, const Triangulation& start, const std::optional<Context::Clock::time_point>& deadline)
-      : points_(points), triangulation_(start), deadline_(deadline) {}
+  Search(Points points, const Triangulation& start, const std::optional<Context::Clock::time_point>& deadline,
+         std::size_t most_flips)
+      : points_(points), triangulation_(start), deadline_(deadline), most_flips_(most_flips) {}
 
   void improve_in_passes() {
     bool flipped = true;
-    while (flipped && !stopped_early_) {
+    while (flipped && !stopped_early_ && flips_.size() < most_flips_) {
       flipped = pass();
       ++passes_;
     }
@@ -36,7 +37,7 @@ class Search {
 
   void improve_best_first() {
     for (Index e = 0; e < triangulation_.edge_count(); ++e) propose(e);
-    while (!proposals_.empty() && !deadline_passed(flips_.size())) {
+    while (!proposals_.empty() && flips_.size() < most_flips_ && !deadline_passed(flips_.size())) {
       const Proposal proposal = proposals_.top();
       proposals_.pop();
       const Index e = proposal.number;
@@ -95,6 +96,7 @@ class Search {
     std::sort(order.begin(), order.end());
     const std::size_t flips_before = flips_.size();
     for (std::size_t i = 0; i < order.size() && !deadline_passed(i); ++i) {
+      if (flips_.size() == most_flips_) break;
       if (improves(order[i].second)) flip(order[i].second);
     }
     return flips_.size() != flips_before;
@@ -119,6 +121,7 @@ class Search {
   Points points_;
   FlipTriangulation triangulation_;
   std::optional<Context::Clock::time_point> deadline_;
+  std::size_t most_flips_;
   std::priority_queue<Proposal> proposals_;
   std::vector<Flip> flips_;
   Index passes_ = 0;
@@ -142,12 +145,18 @@ Triangulation timed_start_of(Points points, Context& context) {
   return start_of(points, context);
 }
 
+std::size_t most_flips(const Parameters& parameters) {
+  const std::int64_t given = parameters.integer("most_flips");
+  if (given < -1) throw InputError("flip_report: parameter most_flips must be -1 (any number) or more");
+  return given < 0 ? kAnyNumberOfFlips : static_cast<std::size_t>(given);
+}
+
 Solution solve(Points points, Context& context) {
   const Triangulation start = timed_start_of(points, context);
   const ScopedPhase phase(context, "flips");
   const bool first = context.parameters.text("improvement") == "first";
-  FlipSearch result =
-      flip_search(points, start, first ? FlipImprovement::first : FlipImprovement::best, context.deadline);
+  FlipSearch result = flip_search(points, start, first ? FlipImprovement::first : FlipImprovement::best,
+                                  context.deadline, most_flips(context.parameters));
   Solution solution;
   solution.triangulation = std::move(result.triangulation);
   solution.counters["flips"] = static_cast<double>(result.flips.size());
@@ -160,8 +169,8 @@ Solution solve(Points points, Context& context) {
 }  // namespace
 
 FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovement improvement,
-                       const std::optional<Context::Clock::time_point>& deadline) {
-  Search search(points, start, deadline);
+                       const std::optional<Context::Clock::time_point>& deadline, std::size_t most_flips) {
+  Search search(points, start, deadline, most_flips);
   if (improvement == FlipImprovement::first) {
     search.improve_in_passes();
   } else {
@@ -188,7 +197,8 @@ AlgorithmInfo flip_report_entry() {
                       ParameterType::choice,
                       "first",
                       "which improving flip to make: the first met in passes over all edges, or the best of all",
-                      {"first", "best"}}};
+                      {"first", "best"}},
+                     {"most_flips", ParameterType::integer, "-1", "stop after so many flips; -1: at a local optimum"}};
   info.function = solve;
   return info;
 }

@@ -1,6 +1,7 @@
 // The local search of the source report (section 5.3): flip edges as long as that shortens the triangulation.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "algorithms/algorithm.h"
@@ -11,6 +12,8 @@ enum class FlipImprovement {
   first,  ///< the report's loop: pass over all edges, flip each that improves, until a pass flips none
   best,   ///< always the flip with the largest gain
 };
+
+inline constexpr std::size_t kAnyNumberOfFlips = std::numeric_limits<std::size_t>::max();
 
 struct FlipSearch {
   Triangulation triangulation;
@@ -29,9 +32,11 @@ struct FlipSearch {
 ///
 /// Ends at a local optimum: no flip shortens it; since each flip shortens the total strictly, it does end. Nothing is
 /// known about its distance to the optimum beyond Theta(n) in bad cases (families flip_corridor, delaunay_flip_stuck).
-/// O(n log n) per pass (first), O((n + flips) log n) (best), O(n + flips) space. Deterministic; obeys the deadline.
+/// It stops after `most_flips` flips, or at the deadline, saying for the latter that it did.
+/// O(n log n) per pass (first), O((n + flips) log n) (best), O(n + flips) space. Deterministic.
 [[nodiscard]] FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovement improvement,
-                                     const std::optional<Context::Clock::time_point>& deadline);
+                                     const std::optional<Context::Clock::time_point>& deadline,
+                                     std::size_t most_flips = kAnyNumberOfFlips);
 
 /// Registry entry: start = delaunay | sweep | greedy (the report's), or a triangulation given in context.start.
 [[nodiscard]] AlgorithmInfo flip_report_entry();

@@ -57,6 +57,24 @@ TEST(FlipReport, ReproducesTheReportsFigures) {
   }
 }
 
+TEST(FlipReport, StopsAfterTheWantedNumberOfFlips) {
+  const Triangulation start = counter_clockwise(kFigurePoints, kFigureStart);
+  for (const std::string improvement : {"first", "best"}) {
+    for (const std::size_t most : {0U, 1U, 2U, 3U}) {
+      Context context =
+          test::context_for(flip_report_entry(), {{"improvement", improvement}, {"most_flips", std::to_string(most)}});
+      context.start = start;
+      const Solution solution = flip_report_entry().function(kFigurePoints, context);
+      EXPECT_EQ(solution.flips.size(), std::min<std::size_t>(most, 2));
+      EXPECT_FALSE(find_violation(kFigurePoints, solution.triangulation).has_value());
+      if (most > 0) continue;
+      EXPECT_EQ(canonical_triangles(solution.triangulation), canonical_triangles(start));
+    }
+  }
+  Context context = test::context_for(flip_report_entry(), {{"most_flips", "-2"}});
+  EXPECT_THROW(flip_report_entry().function(kFigurePoints, context), InputError);
+}
+
 TEST(FlipReport, IsValidOnAllShapesFromAllStarts) {
   for (const char* improvement : {"first", "best"}) {
     test::expect_valid_on_all_shapes(flip_report_entry(), 1000, {{"improvement", improvement}});

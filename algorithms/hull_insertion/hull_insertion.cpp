@@ -10,6 +10,7 @@
 #include "algorithms/polygon_dp/polygon_dp.h"
 #include "geometry/convex_hull.h"
 #include "geometry/scaling.h"
+#include "geometry/weight.h"
 
 namespace mwt {
 
@@ -61,6 +62,7 @@ Solution solve(Points points, Context& context) {
   HullInsertion result = hull_insertion(points, order_named(context.parameters.text("order")), context.seed, context);
   Solution solution;
   solution.counters = {{"hull_size", result.hull_size},
+                       {"hull_weight", result.hull_weight.lower},
                        {"interior_points", static_cast<double>(points.size() - result.hull_size)},
                        {"points_on_edges", static_cast<double>(result.points_on_edges)},
                        {"depth", static_cast<double>(result.depth)}};
@@ -78,11 +80,13 @@ HullInsertion hull_insertion(Points points, InsertionOrder order, std::uint64_t 
     const ScopedPhase phase(context, "hull_dp");
     hull_triangles = triangulate_polygon(points, hull, PolygonObjective::perimeter).triangles;
   }
+  const Interval hull_weight = weight(points, {static_cast<Index>(points.size()), hull_triangles});
   const ScopedPhase phase(context, "insertion");
   SplitTriangles result =
       insert_by_splitting(points, hull, hull_triangles, interior_points_in_order(points, hull, order, seed));
   return {{static_cast<Index>(points.size()), std::move(result.triangles)},
           static_cast<Index>(hull.size()),
+          hull_weight,
           result.edge_splits / 2,
           result.depth};
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "algorithms/algorithm.h"
+#include "geometry/interval.h"
 
 namespace mwt {
 
@@ -17,6 +18,7 @@ enum class InsertionOrder {
 struct HullInsertion {
   Triangulation triangulation;
   Index hull_size = 0;              ///< points on the hull's boundary
+  Interval hull_weight;             ///< certified weight of the hull's triangulation, before any insertion
   std::size_t points_on_edges = 0;  ///< insertions that split two triangles
   std::size_t depth = 0;            ///< the largest number of splits that led to one triangle
 };

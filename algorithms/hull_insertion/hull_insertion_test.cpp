@@ -7,6 +7,7 @@
 #include "algorithms/hull_insertion/split_history.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
 #include "algorithms/testing/instances.h"
+#include "generators/hull_bound_counterexample/hull_bound_counterexample.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 
@@ -48,6 +49,13 @@ TEST(HullInsertion, ReproducesTheReportsExample) {
   EXPECT_NEAR(perimeter_sum(points, solution.triangulation).middle(), 148.1347382914, 5e-11);
   EXPECT_EQ(solution.counters.at("hull_size"), 6);
   EXPECT_EQ(solution.counters.at("interior_points"), 4);
+}
+
+// Claim C7: the hull's own optimum may weigh more than the optimum of all points.
+TEST(HullInsertion, TellsTheWeightOfTheHullsTriangulation) {
+  const std::vector<Point> points = hull_bound_counterexample_points();
+  const Solution solution = test::solve_checked(hull_insertion_entry(), points);
+  EXPECT_NEAR(solution.counters.at("hull_weight"), 848.848, 5e-4);
 }
 
 TEST(HullInsertion, OtherOrdersOfTheExampleGiveOtherWeights) {

@@ -9,6 +9,7 @@ namespace mwt {
 [[nodiscard]] Command generate_command();
 [[nodiscard]] Command solve_command();
 [[nodiscard]] Command check_command();
+[[nodiscard]] Command draw_command();
 [[nodiscard]] Command run_command();
 [[nodiscard]] Command merge_command();
 [[nodiscard]] Command report_command();

@@ -4,6 +4,7 @@
 
 #include "geometry/error.h"
 #include "geometry/output_file.h"
+#include "harness/claims/claims.h"
 #include "harness/report/final_rating.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
@@ -37,6 +38,12 @@ void write_exponents(const ReportData& data, std::ostream& out) {
   write(data, "exponents.csv", exponents_csv(data.records.runs.front().study, data.growth), out);
 }
 
+void judge_source_report(const ReportData& data, std::ostream& out) {
+  const std::vector<JudgedClaim> judged = judge_claims(data.records);
+  write_claims(data.folder, judged);
+  out << "written: " << data.folder << "/claims.csv, claim_rows.csv, claim_details/\n\n" << claims_text(judged);
+}
+
 }  // namespace
 
 ReportData read_report_data(const std::string& folder) {
@@ -51,7 +58,7 @@ ReportData read_report_data(const std::string& folder) {
 }
 
 std::vector<ReportPart> report_parts() {
-  return {print_cells, print_growth, print_algorithms, write_summary, write_exponents};
+  return {print_cells, print_growth, print_algorithms, write_summary, write_exponents, judge_source_report};
 }
 
 }  // namespace mwt

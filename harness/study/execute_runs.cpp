@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "harness/start_triangulation.h"
 #include "harness/study/isolated_run.h"
 #include "harness/study/optimum_search.h"
 #include "harness/study/study_session.h"
@@ -57,11 +58,12 @@ class RunPhase {
       return;
     }
     Request request;
-    request.algorithm = run.algorithm;
-    request.parameters = run.parameters;
-    request.seed = keys.seed;
-    request.threads = session_.study.threads;
-    request.time_limit_s = session_.study.limits.time_s;
+    try {
+      request = request_for(run, *instance);
+    } catch (const InputError& error) {
+      record_without_running(std::move(keys), RunStatus::error, std::string("no start: ") + error.what());
+      return;
+    }
     const Timing timing{session_.study.min_time_s, session_.study.measures_yardstick};
     start_isolated_run(pool_, request, instance, keys, session_.study.limits, timing, [this, &run](RunRecord ended) {
       const std::optional<Interval> own_optimum = optimum_of(ended);
@@ -76,6 +78,19 @@ class RunPhase {
     const RunRecord& row = session_.folder.runs().back();
     const OptimumKey key = optimum_key(row.instance_id, *run.algorithm, run.parameters);
     if (!session_.cache->find(key)) session_.cache->store(key, {optimum, row.wall_time_s.value_or(0)});
+  }
+
+  // Throws InputError: the given start is no triangulation of the instance.
+  [[nodiscard]] Request request_for(const PlannedRun& run, const Instance& instance) const {
+    const PlannedInstance& planned = session_.plan.instances[run.instance];
+    Request request;
+    request.algorithm = run.algorithm;
+    request.parameters = run.parameters;
+    request.seed = planned.seed;
+    request.threads = session_.study.threads;
+    request.time_limit_s = session_.study.limits.time_s;
+    if (run.start_file) request.start = read_start(*run.start_file, instance.set, planned.make_points());
+    return request;
   }
 
   [[nodiscard]] RunRecord keys_of(const PlannedRun& run) const {

@@ -86,16 +86,26 @@ class Planner {
   }
 
  private:
+  struct AlgorithmTemplate {
+    PlannedRun run;  // instance, repetition and id still open
+    std::vector<std::string> families;
+
+    [[nodiscard]] bool takes(const std::string& family) const {
+      return families.empty() || std::find(families.begin(), families.end(), family) != families.end();
+    }
+  };
+
   void add_algorithm(const AlgorithmChoice& choice) {
     const AlgorithmInfo& info = catalogue_.algorithm(choice.name);
+    for (const std::string& family : choice.families) static_cast<void>(catalogue_.generator(family));
     PlannedRun run;
     run.algorithm = &info;
     run.parameters = Parameters(info.name, info.parameters, choice.parameters);
     run.largest_n = largest_n_for(info, choice.largest_n);
-    if (start_file_of(info, run.parameters)) {
-      throw InputError(info.name + ": a study cannot start from a given triangulation; choose one of the named starts");
+    if (const auto file = start_file_of(info, run.parameters)) {
+      run.start_file = (std::filesystem::path(study_.folder) / *file).string();
     }
-    algorithms_.push_back(std::move(run));
+    algorithms_.push_back({std::move(run), choice.families});
   }
 
   void add_family(const FamilyChoice& choice) {
@@ -153,7 +163,10 @@ class Planner {
   // The algorithms in a random order, so that none always profits from what ran before it: that of the runs' hashes.
   void add_repetition(const std::string& instance_key, int repetition) {
     const std::size_t begin = plan_.runs.size();
-    for (PlannedRun run : algorithms_) {
+    const std::string& family = plan_.instances.back().generator;
+    for (const AlgorithmTemplate& algorithm : algorithms_) {
+      if (!algorithm.takes(family)) continue;
+      PlannedRun run = algorithm.run;
       run.instance = plan_.instances.size() - 1;
       run.repetition = repetition;
       run.run_id = short_hash(
@@ -167,7 +180,7 @@ class Planner {
   const Study& study_;
   const Catalogue& catalogue_;
   Plan plan_;
-  std::vector<PlannedRun> algorithms_;  // templates: instance, repetition and id still open
+  std::vector<AlgorithmTemplate> algorithms_;
   std::set<std::string> known_instances_;
   std::set<std::string> known_runs_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ struct PlannedRun {
   const AlgorithmInfo* algorithm = nullptr;
   Parameters parameters;
   int repetition = 0;
-  Index largest_n = 0;  ///< beyond it the run is recorded as not_applicable without being started
-  std::string run_id;   ///< hash of study name, instance, algorithm, parameters, repetition: the same on every machine
+  Index largest_n = 0;                      ///< beyond it the run is recorded as not_applicable without being started
+  std::optional<std::string> start_file{};  ///< path of the triangulation to start from
+  std::string run_id;  ///< hash of study name, instance, algorithm, parameters, repetition: the same on every machine
 };
 
 struct Plan {

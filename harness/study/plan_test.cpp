@@ -187,8 +187,33 @@ TEST(Plan, MistakesNameTheirPlace) {
   study.sizes.clear();
   EXPECT_TRUE(complaint(study).starts_with("s.toml:1: no sizes")) << complaint(study);
   study = small_study();
-  study.algorithms[0] = {"tuned", {{"start", "file.csv"}}, {}, "s.toml:2"};
-  EXPECT_TRUE(complaint(study).starts_with("s.toml:2: tuned: a study cannot start")) << complaint(study);
+  study.algorithms[0].families = {"nothing"};
+  EXPECT_TRUE(complaint(study).starts_with("s.toml:2: unknown generator 'nothing'")) << complaint(study);
+}
+
+TEST(Plan, AnAlgorithmMayBeRunOnSomeFamiliesOnly) {
+  Study study = small_study();
+  study.families = {{"uniform", {}, {}, {}, ""}, {"grid", {}, {}, {}, ""}};
+  study.algorithms = {{"small", {}, {}, ""}, {"well", {}, {}, "", {"grid"}}};
+  bool small_on_uniform = false;
+  for (const Plan plan = plan_of(study); const PlannedRun& run : plan.runs) {
+    const std::string& family = plan.instances[run.instance].generator;
+    if (run.algorithm->name == "well") {
+      EXPECT_EQ(family, "grid");
+    }
+    small_on_uniform = small_on_uniform || (run.algorithm->name == "small" && family == "uniform");
+  }
+  EXPECT_TRUE(small_on_uniform);
+}
+
+TEST(Plan, StartsAreSoughtBesideTheStudyFile) {
+  Study study = small_study();
+  study.folder = "studies";
+  study.algorithms = {{"tuned", {{"start", "file.csv"}}, {}, ""}, {"tuned", {{"start", "sweep"}}, {}, ""}};
+  for (const Plan plan = plan_of(study); const PlannedRun& run : plan.runs) {
+    const bool is_given = run.parameters.text("start") == "file.csv";  // records name no folder of this machine
+    EXPECT_EQ(run.start_file, is_given ? std::optional<std::string>("studies/file.csv") : std::nullopt);
+  }
 }
 
 }  // namespace

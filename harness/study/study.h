@@ -27,6 +27,7 @@ struct AlgorithmChoice {
   std::map<std::string, std::string> parameters;
   std::optional<Index> largest_n;  ///< at most the registry's
   std::string place;
+  std::vector<std::string> families{};  ///< run on these alone; empty: on all of the study
 };
 
 /// An exact algorithm that may be asked for the optimum of an instance.
@@ -47,6 +48,7 @@ struct Study {
   std::string name;
   std::string summary;
   std::string file_content;  ///< copied into the results
+  std::string folder;        ///< of the study file: start triangulations that it names are sought here
   std::vector<FamilyChoice> families;
   InstanceFiles instance_files;
   std::vector<Index> sizes;

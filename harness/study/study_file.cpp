@@ -190,8 +190,11 @@ void read_algorithms(TableReader& reader, Study& study) {
   for_each_choice(reader, "algorithms", "an algorithm", [&](TableReader& choice, const std::string& name) {
     std::optional<Index> largest_n;
     if (const toml::node* node = choice.find("largest_n")) largest_n = index_of(choice, *node, "largest_n");
+    std::vector<std::string> families;
+    choice.for_each_element("families",
+                            [&](const toml::node& node) { families.push_back(choice.text_of(node, "families")); });
     for (const ParameterValues& parameters : read_parameters(choice)) {
-      study.algorithms.push_back({name, parameters, largest_n, choice.place()});
+      study.algorithms.push_back({name, parameters, largest_n, choice.place(), families});
     }
   });
 }
@@ -270,6 +273,7 @@ Study read_study(const std::string& path, const std::optional<std::string>& inst
     const toml::table root = toml::parse(content);
     Study study = read_root(path, root);
     study.file_content = content;
+    study.folder = std::filesystem::path(path).parent_path().string();
     if (!instance_folder) return study;
     if (study.instance_files.patterns.empty())
       throw InputError(path + ": no [instances] that --instances could be for");

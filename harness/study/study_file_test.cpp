@@ -40,7 +40,7 @@ summary = "t"
 families = ["uniform", { name = "clustered", parameters = { clusters = [3, 10], sigma = 0.5 }, sizes = [100], seeds = [7] }]
 sizes = [10, 20]
 seeds = [1, 2]
-algorithms = [{ name = "tuned", parameters = { k = [1, 2], start = ["a", "b"] }, largest_n = 50 }]
+algorithms = [{ name = "tuned", parameters = { k = [1, 2], start = ["a", "b"] }, largest_n = 50, families = ["uniform"] }]
 repetitions = 3
 threads = 2
 min_time_s = 0.5
@@ -65,6 +65,7 @@ sources = ["x", { name = "y", largest_n = 12 }]
   EXPECT_TRUE(study.instance_files.folder.ends_with("/points")) << study.instance_files.folder;
   EXPECT_EQ(study.instance_files.patterns, (std::vector<std::string>{"*.tsp", "more/*.txt"}));
   EXPECT_EQ(study.algorithms.front().largest_n, 50u);
+  EXPECT_EQ(study.algorithms.front().families, std::vector<std::string>{"uniform"});
   EXPECT_EQ(study.limits.memory_bytes, 100u << 20);
   EXPECT_EQ(study.optimum_limits.time_s, 9);
   EXPECT_EQ(study.optimum_limits.grace_s, 0.5);

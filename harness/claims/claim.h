@@ -1,0 +1,54 @@
+// A claim of the source report: what it says, by which rows of a study it is judged, and the rule of its verdict, fixed
+// beforehand.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/study/results_folder.h"
+
+namespace mwt {
+
+enum class ClaimVerdict {
+  reproduced,      ///< the report's own figures came out
+  holds,           ///< what it asserts was seen wherever it was looked for
+  refuted,         ///< the records contradict it
+  refuted_better,  ///< they contradict it, because the algorithm is better than claimed
+  ill_posed,       ///< true or false according to something that the claim leaves open
+  by_citation,     ///< no measurement can decide it; the literature does
+  undecided,       ///< too few rows, or the intervals leave it open
+};
+
+/// "reproduced", "refuted (better than claimed)", ...
+[[nodiscard]] std::string_view name_of(ClaimVerdict verdict);
+
+using Runs = std::vector<const RunRecord*>;
+
+/// A table of details, for whoever wants to see behind the sentence.
+struct ClaimDetails {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// What the records say about a claim.
+struct Finding {
+  ClaimVerdict verdict = ClaimVerdict::undecided;
+  std::string measured;  ///< one line with the figures
+  Runs rows;             ///< the runs by which it was judged
+  ClaimDetails details;  ///< may be empty
+};
+
+struct Claim {
+  std::string id;         ///< C1 .. C15
+  std::string statement;  ///< what the report says
+  std::string section;    ///< of the report
+  std::string data;       ///< which rows it is judged by, in words
+  std::string rule;       ///< how the verdict follows from them
+  std::string command;    ///< shell commands that show the matter by themselves
+  /// Pure: the same records, the same finding. Records without anything to judge by give `undecided`.
+  std::function<Finding(const StudyRecords&)> judge;
+};
+
+}  // namespace mwt

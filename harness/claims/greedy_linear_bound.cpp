@@ -1,0 +1,59 @@
+// C5: greedy's worst case.
+#include "harness/claims/report_claims.h"
+#include "harness/claims/selection.h"
+#include "harness/text.h"
+
+namespace mwt::claims {
+
+namespace {
+
+// The fastest growth on any family.
+struct Steepest {
+  std::string family;
+  PowerLaw law;
+};
+
+std::optional<Steepest> steepest_of(const Runs& runs) {
+  std::optional<Steepest> steepest;
+  for (const auto& [family, of_family] : by_family(runs)) {
+    const auto law = growth_of(of_family, [](const RunRecord& run) { return run.alpha_upper; });
+    if (!law) continue;
+    if (!steepest || law->exponent.value > steepest->law.exponent.value) steepest = {family, *law};
+  }
+  return steepest;
+}
+
+Finding judge(const StudyRecords& records) {
+  Finding finding;
+  finding.rows = rated_runs(records, is_greedy);
+  const std::optional<Steepest> steepest = steepest_of(finding.rows);
+  if (!steepest) return finding;
+  bool is_below_n = true;
+  for (const RunRecord* run : finding.rows) is_below_n = is_below_n && *run->alpha_upper <= run->n;
+  const RunRecord& largest = worst(finding.rows);
+  if (steepest->law.exponent.lower > 1) {
+    finding.verdict = ClaimVerdict::refuted;
+  } else if (is_below_n && steepest->law.exponent.upper <= 1) {
+    finding.verdict = ClaimVerdict::holds;
+  }
+  finding.measured = "steepest on " + steepest->family + ": alpha grows like n^" + exponent_text(steepest->law) +
+                     "; largest alpha " + significant(*largest.alpha_upper, 4) + " at n = " + grouped(largest.n) +
+                     " on " + largest.generator + ". The worst case is Theta(sqrt n) (Levcopoulos, Krznaric 1998)";
+  return finding;
+}
+
+}  // namespace
+
+Claim greedy_linear_bound() {
+  return {"C5",
+          "Greedy is never worse than O(n) times the optimum",
+          "5.1.4",
+          "greedy_report and greedy on every family, against proved optima",
+          "holds: alpha <= n everywhere, and on the family where it grows fastest the exponent's upper 95% limit is at "
+          "most "
+          "1; refuted: its lower limit is above 1; otherwise undecided",
+          "mwt generate greedy_corridor --n 1000 -o p.csv && mwt solve p.csv --algorithm greedy --with-optimum",
+          judge};
+}
+
+}  // namespace mwt::claims

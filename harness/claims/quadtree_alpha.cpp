@@ -1,0 +1,66 @@
+// C13: how good the quadtree triangulation is.
+#include <algorithm>
+
+#include "harness/claims/report_claims.h"
+#include "harness/claims/selection.h"
+#include "harness/statistics/quantile.h"
+#include "harness/text.h"
+
+namespace mwt::claims {
+
+namespace {
+
+constexpr Index kSmallestN = 20;
+constexpr std::size_t kFewestInstances = 30;
+constexpr double kGood = 1.5;  // the upper end of what the report calls near-optimal of greedy
+constexpr double kClearGrowth = 0.05;
+
+std::optional<PowerLaw> growth_on_uniform(const Runs& runs) {
+  const auto groups = by_family(runs);
+  const auto uniform = groups.find("uniform");
+  if (uniform == groups.end()) return std::nullopt;
+  return growth_of(uniform->second, [](const RunRecord& run) { return run.alpha_upper; });
+}
+
+ClaimVerdict verdict_of(const std::vector<double>& values, const PowerLaw& growth) {
+  if (quantile(values, 0.95) > kGood || growth.exponent.lower > kClearGrowth) return ClaimVerdict::refuted;
+  return growth.exponent.upper <= kClearGrowth ? ClaimVerdict::holds : ClaimVerdict::undecided;
+}
+
+Finding judge(const StudyRecords& records) {
+  Finding finding;
+  const Runs everywhere =
+      rated_runs(records, [](const RunRecord& run) { return run.algorithm == "quadtree" && run.n >= kSmallestN; });
+  std::copy_if(everywhere.begin(), everywhere.end(), std::back_inserter(finding.rows),
+               [](const RunRecord* run) { return is_typical(*run); });
+  const std::optional<PowerLaw> growth = growth_on_uniform(finding.rows);
+  if (finding.rows.empty()) return finding;
+  const std::vector<double> values = alphas(finding.rows);
+  if (growth && values.size() >= kFewestInstances) finding.verdict = verdict_of(values, *growth);
+  const RunRecord& largest = worst(everywhere);
+  finding.measured = "alpha on random points: mean " + fixed(mean(values), 4) + ", 95% below " +
+                     fixed(quantile(values, 0.95), 4) + " (" + size_range(finding.rows) + ")";
+  if (growth) finding.measured += ", on uniform points ~ n^" + exponent_text(*growth);
+  finding.measured += "; no bound in general: " + significant(*largest.alpha_upper, 3) + " on " + largest.generator +
+                      ", n = " + grouped(largest.n);
+  return finding;
+}
+
+}  // namespace
+
+Claim quadtree_alpha() {
+  return {
+      "C13",
+      "The quadtree triangulation is a good approximation (no figure given)",
+      "5.4",
+      "quadtree on uniform, normal and clustered points and on points from files, from n = 20, against proved optima",
+      "read as alpha at most 1.5, the report's word for near-optimal: holds if 95% of the runs are within it and alpha "
+      "on "
+      "uniform points does not grow (exponent's upper 95% limit at most 0.05); refuted if fewer are, or it does; "
+      "undecided "
+      "with fewer than 30 instances or between",
+      "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm quadtree --with-optimum",
+      judge};
+}
+
+}  // namespace mwt::claims

@@ -1,0 +1,172 @@
+// C12: fitted running times against the stated ones, the report's literal algorithms and the fast ones side by side.
+#include <cmath>
+
+#include "harness/claims/report_claims.h"
+#include "harness/claims/selection.h"
+#include "harness/text.h"
+
+namespace mwt::claims {
+
+namespace {
+
+constexpr double kTolerance = 0.15;          // caches and memory make large inputs dearer per step
+constexpr double kSmallestTime = 2e-5;       // below, fixed costs hide the growth
+constexpr Index kSmallestNearLinear = 1000;  // n log n needs room to tell itself from n
+constexpr double kSlowestGrowth = 1.5;       // per point: what "exponential" must exceed
+
+enum class Shape { power, times_log, per_pass };
+
+// What the report states about one algorithm.
+struct Statement {
+  std::string algorithm;
+  std::string family;
+  std::string stated;
+  Shape shape;
+  double exponent;
+};
+
+const std::vector<Statement>& statements() {
+  static const std::vector<Statement> all = {
+      {"greedy_report", "uniform", "O(n^4)", Shape::power, 4},
+      {"hull_insertion", "uniform", "O(n^3)", Shape::power, 3},
+      {"hull_insertion", "circle", "O(n^3)", Shape::power, 3},
+      {"flip_report", "uniform", "O(n^2 I)", Shape::per_pass, 2},
+      {"quadtree", "uniform", "O(n log n)", Shape::times_log, 1},
+      {"delaunay", "uniform", "O(n log n)", Shape::times_log, 1},
+  };
+  return all;
+}
+
+// The algorithms that the report does not have, for comparison.
+constexpr const char* kFamilyOfOthers = "uniform";
+
+// The CPU time, which other programs on the machine disturb less than wall time, divided by what the statement allows
+// for beside the power of n.
+std::optional<double> time_for(const RunRecord& run, Shape shape) {
+  if (!run.cpu_time_s || *run.cpu_time_s < kSmallestTime || run.stopped_early == true) return std::nullopt;
+  if (shape == Shape::times_log && run.n < kSmallestNearLinear) return std::nullopt;
+  if (shape == Shape::times_log) return *run.cpu_time_s / std::log(run.n);
+  if (shape == Shape::per_pass) return *run.cpu_time_s / named_number(run.counters, "passes").value_or(1);
+  return run.cpu_time_s;
+}
+
+std::optional<PowerLaw> fit(const Runs& runs, Shape shape) {
+  return growth_of(runs, [shape](const RunRecord& run) { return time_for(run, shape); });
+}
+
+// The factor by which brute force takes longer with every point; nothing if it was timed at too few sizes.
+std::optional<Estimate> growth_of_brute_force(const Runs& runs) {
+  std::vector<Measurement> measurements;
+  std::map<Index, int> sizes;
+  for (const RunRecord* run : runs) {
+    measurements.push_back({std::exp(run->n), *run->cpu_time_s});
+    ++sizes[run->n];
+  }
+  if (sizes.size() < 3) return std::nullopt;
+  const Estimate slope = fit_power_law(measurements)->exponent;
+  return Estimate{std::exp(slope.value), std::exp(slope.lower), std::exp(slope.upper)};
+}
+
+// The runs that are fitted.
+Runs runs_of(const StudyRecords& records, const std::string& algorithm, const std::string& family, Shape shape) {
+  return finished_runs(records, [&](const RunRecord& run) {
+    const std::optional<std::string> start = named_value(run.params, "start");
+    const bool is_usual = algorithm != "flip_report" || start == "delaunay";
+    return run.algorithm == algorithm && run.generator == family && is_usual && time_for(run, shape);
+  });
+}
+
+class Judge {
+ public:
+  explicit Judge(const StudyRecords& records) : records_(records) {
+    finding_.details.header = {"algorithm", "family", "stated", "sizes", "fitted exponent of n (95%)", "agrees"};
+  }
+
+  Finding judge() {
+    judge_brute_force();
+    for (const Statement& statement : statements()) judge_statement(statement);
+    for (const char* algorithm : {"greedy", "flip", "patch", "annealing", "sweep", "exact"}) {
+      show(algorithm);
+    }
+    finding_.verdict = contradicted_ ? ClaimVerdict::refuted
+                       : incomplete_ ? ClaimVerdict::undecided
+                                     : ClaimVerdict::holds;
+    return std::move(finding_);
+  }
+
+ private:
+  void judge_brute_force() {
+    const Runs runs = runs_of(records_, "brute_force", "uniform", Shape::power);
+    const std::optional<Estimate> factor = growth_of_brute_force(runs);
+    if (!factor) {
+      incomplete_ = true;
+      return;
+    }
+    const bool agrees = factor->lower > kSlowestGrowth;
+    contradicted_ = contradicted_ || factor->upper < kSlowestGrowth;
+    incomplete_ = incomplete_ || !agrees;
+    const std::string text = fixed(factor->value, 1) + "^n";
+    add(runs, {"brute_force", "uniform", "exponential", size_range(runs), text, agrees ? "yes" : "open"});
+    say("brute_force " + text);
+  }
+
+  void judge_statement(const Statement& statement) {
+    const Runs runs = runs_of(records_, statement.algorithm, statement.family, statement.shape);
+    const std::optional<PowerLaw> law = fit(runs, statement.shape);
+    if (!law) {
+      incomplete_ = true;
+      return;
+    }
+    const double most = statement.exponent + kTolerance;
+    const bool agrees = law->exponent.upper <= most, contradicts = law->exponent.lower > most;
+    contradicted_ = contradicted_ || contradicts;
+    incomplete_ = incomplete_ || (!agrees && !contradicts);
+    const std::string beside = statement.shape == Shape::times_log  ? " beside log n"
+                               : statement.shape == Shape::per_pass ? " per pass"
+                                                                    : "";
+    add(runs, {statement.algorithm, statement.family, statement.stated, size_range(runs), exponent_text(*law) + beside,
+               agrees        ? "yes"
+               : contradicts ? "no"
+                             : "open"});
+    say(statement.algorithm + " on " + statement.family + " n^" + fixed(law->exponent.value, 2) + beside + " (" +
+        statement.stated + ")");
+  }
+
+  void show(const std::string& algorithm) {
+    const Runs runs = runs_of(records_, algorithm, kFamilyOfOthers, Shape::power);
+    if (const auto law = fit(runs, Shape::power)) {
+      add(runs, {algorithm, kFamilyOfOthers, "", size_range(runs), exponent_text(*law), ""});
+    }
+  }
+
+  void add(const Runs& runs, std::vector<std::string> details) {
+    finding_.rows.insert(finding_.rows.end(), runs.begin(), runs.end());
+    finding_.details.rows.push_back(std::move(details));
+  }
+
+  void say(const std::string& text) { finding_.measured += (finding_.measured.empty() ? "" : ", ") + text; }
+
+  const StudyRecords& records_;
+  Finding finding_;
+  bool contradicted_ = false;
+  bool incomplete_ = false;
+};
+
+}  // namespace
+
+Claim running_times() {
+  return {
+      "C12",
+      "Times: brute force exponential, greedy O(n^4), DP + insertion O(n^3), local search O(n^2 I) for I passes, "
+      "quadtree and Delaunay O(n log n)",
+      "4.2 to 6",
+      "CPU times above 20 us on uniform points, for DP + insertion also on circle, where the hull is everything; for "
+      "O(n log n) from n = 1,000",
+      "each stated time is an upper bound: refuted if the fitted exponent's lower 95% limit exceeds the stated one by "
+      "more than 0.15 somewhere (or brute force multiplies by less than 1.5 per point); holds if no upper limit does "
+      "and every algorithm was timed at three sizes or more; otherwise undecided",
+      "mwt run report --out results/report --resume",
+      [](const StudyRecords& records) { return Judge(records).judge(); }};
+}
+
+}  // namespace mwt::claims

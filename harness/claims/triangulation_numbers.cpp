@@ -1,0 +1,112 @@
+// C11: the number of triangulations.
+#include "harness/claims/triangulation_numbers.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "harness/claims/report_claims.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+Runs counting_runs(const StudyRecords& records) {
+  return finished_runs(records, [](const RunRecord& run) {
+    const bool counts = run.algorithm == "brute_force" || run.algorithm == "subset_dp";
+    return counts && !run.triangulation_count.empty() && run.stopped_early != true;
+  });
+}
+
+std::map<std::string, GrowthFactor> growth_factors(const Runs& runs, Index smallest_n) {
+  std::map<std::string, GrowthFactor> factors;
+  for (const auto& [family, of_family] : by_family(runs)) {
+    GrowthFactor growth;
+    std::set<std::string> instances;
+    std::set<Index> sizes;
+    std::vector<Measurement> measurements;
+    for (const RunRecord* run : of_family) {
+      if (run->n < smallest_n || !instances.insert(run->instance_id).second) continue;
+      growth.runs.push_back(run);
+      sizes.insert(run->n);
+      // A power law in exp(n) is an exponential one in n.
+      measurements.push_back({std::exp(run->n), std::strtod(run->triangulation_count.c_str(), nullptr)});
+    }
+    if (sizes.size() < 3) continue;
+    const Estimate slope = fit_power_law(measurements)->exponent;
+    growth.factor = {std::exp(slope.value), std::exp(slope.lower), std::exp(slope.upper)};
+    factors.emplace(family, std::move(growth));
+  }
+  return factors;
+}
+
+std::string factor_text(const Estimate& factor) {
+  return fixed(factor.value, 2) + " (" + fixed(factor.lower, 2) + " to " + fixed(factor.upper, 2) + ")";
+}
+
+std::string catalan_number(unsigned k) {
+  std::uint64_t number = 1;
+  for (unsigned i = 0; i < k; ++i) {
+    // C(i+1) = C(i) 2 (2i+1) / (i+2), divided first where that leaves no remainder, to stay within 64 bits.
+    const std::uint64_t factor = 2 * (2 * std::uint64_t{i} + 1), divisor = std::uint64_t{i} + 2;
+    const std::uint64_t whole = number / divisor, rest = number % divisor;
+    number = whole * factor + rest * factor / divisor;
+  }
+  return std::to_string(number);
+}
+
+bool is_convex_family(const std::string& family) { return family == "circle" || family == "integer_circle"; }
+
+namespace claims {
+
+namespace {
+
+constexpr Index kMostPoints = 37;  // of which the Catalan number fits
+
+Finding judge(const StudyRecords& records) {
+  Finding finding;
+  finding.rows = counting_runs(records);
+  finding.details.header = {"algorithm", "family", "n", "seed", "triangulations", "Catalan C(n-2)"};
+  std::size_t convex = 0, agreeing = 0;
+  Index largest = 0;
+  for (const RunRecord* run : finding.rows) {
+    const bool is_convex = is_convex_family(run->generator) && run->n <= kMostPoints;
+    const std::string catalan = is_convex ? catalan_number(run->n - 2) : "";
+    finding.details.rows.push_back({run->algorithm, run->generator, std::to_string(run->n), std::to_string(run->seed),
+                                    run->triangulation_count, catalan});
+    if (!is_convex) continue;
+    ++convex;
+    agreeing += run->triangulation_count == catalan ? 1U : 0U;
+    largest = std::max(largest, run->n);
+  }
+  if (convex == 0) return finding;
+  const auto factors = growth_factors(finding.rows, 3);
+  const auto uniform = factors.find("uniform");
+  const bool grows = uniform != factors.end() && uniform->second.factor.lower > 1;
+  finding.verdict = agreeing < convex ? ClaimVerdict::refuted
+                    : grows           ? ClaimVerdict::reproduced
+                                      : ClaimVerdict::undecided;
+  finding.measured = grouped(agreeing) + " of " + grouped(convex) +
+                     " counts in convex position, up to n = " + grouped(largest) + ", are the Catalan number C(n-2)";
+  if (uniform != factors.end()) {
+    finding.measured += "; uniform sets multiply by " + factor_text(uniform->second.factor) + " per point";
+  }
+  return finding;
+}
+
+}  // namespace
+
+Claim triangulation_numbers() {
+  return {
+      "C11",
+      "A convex polygon of n points has C(n-2) triangulations (Catalan); in general the number is exponential",
+      "4.2",
+      "counts of brute_force and subset_dp; convex position: circle, integer_circle",
+      "reproduced: every count in convex position is the Catalan number, and on uniform points the number's growth per "
+      "point is above 1 with 95% confidence; refuted: some count is another; otherwise undecided",
+      "mwt generate integer_circle --n 16 -o p.csv && mwt solve p.csv --algorithm subset_dp",
+      judge};
+}
+
+}  // namespace claims
+
+}  // namespace mwt

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Makes what the gallery draws, with the program itself: plots/gallery.sh MWT RESULTS_FOLDER
+#   RESULTS_FOLDER/gallery/SET.csv             the points
+#   RESULTS_FOLDER/gallery/SET.ALGORITHM.csv   the triangles of one algorithm, SET.ALGORITHM.json what mwt solve says of them
+set -euo pipefail
+
+mwt=$(realpath "$1")
+studies=$(realpath "$(dirname "$0")/../harness/studies")
+mkdir -p "$2/gallery"
+cd "$2/gallery"
+
+solve() {  # solve SET NAME ALGORITHM [OPTION...]
+  local set=$1 name=$2 algorithm=$3
+  shift 3
+  "$mwt" solve "$set.csv" --algorithm "$algorithm" --with-optimum --json --triangles "$set.$name.csv" "$@" >"$set.$name.json"
+}
+
+# The report's worked examples: greedy, hull insertion, and the local search flip by flip.
+"$mwt" generate report_example -o report_example.csv
+solve report_example greedy_report greedy_report
+solve report_example hull_insertion hull_insertion
+solve report_example exact exact
+"$mwt" generate local_search_figure -o local_search_figure.csv
+for flips in 0 1 2; do
+  solve local_search_figure "flips$flips" flip_report \
+    --param start="$studies/local_search_figure_start.csv" --param most_flips="$flips"
+done
+solve local_search_figure exact exact
+
+# The step of the report's proof that fails: the hull alone weighs more than the optimum with the inner point.
+"$mwt" generate hull_bound_counterexample -o hull_bound_counterexample.csv
+solve hull_bound_counterexample exact exact
+head -n 13 hull_bound_counterexample.csv >hull_only.csv
+solve hull_only exact exact
+
+# The same points triangulated by every algorithm, and what the quadtree's grid looks like.
+"$mwt" generate uniform --n 60 --seed 3 -o same_points.csv
+for algorithm in sweep hull_insertion quadtree delaunay flip_report greedy_report annealing patch exact; do
+  solve same_points "$algorithm" "$algorithm"
+done
+"$mwt" generate clustered --n 150 --seed 2 -o grid_points.csv
+solve grid_points quadtree quadtree
+solve grid_points exact exact

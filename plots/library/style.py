@@ -1,0 +1,133 @@
+"""One look for all figures: a colour and a marker per algorithm, the same in every figure; sizes; saving.
+
+Colours are Okabe and Ito's, which the colour-blind can tell apart, with two more for algorithms that never share a panel
+with their neighbours in hue; markers carry the same distinction for print in grey. An algorithm of the report and its
+fast counterpart share a colour and differ in the marker.
+"""
+import io
+import re
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+# Colours that a page replaces by those of its mode, light or dark. They occur nowhere else.
+INK = "#1b1c1e"
+FAINT = "#d6d7d9"
+PAPER = "#fefefe"
+OPTIMUM = "#9ad0f4"
+
+BLUE, SKY, GREEN, ORANGE = "#0072b2", "#56b4e9", "#009e73", "#e69f00"
+VERMILION, PINK, PURPLE, GREY = "#d55e00", "#cc79a7", "#7a5195", "#8a8a8a"
+
+# algorithm: (colour, marker, whether the marker is filled)
+ALGORITHMS = {
+    "hull_insertion": (VERMILION, "s", True),
+    "sweep": (GREY, "h", True),
+    "quadtree": (ORANGE, "v", True),
+    "delaunay": (BLUE, "o", True),
+    "flip_report": (PINK, "D", True),
+    "flip": (PINK, "D", False),
+    "greedy_report": (GREEN, "^", True),
+    "greedy": (GREEN, "^", False),
+    "annealing": (PURPLE, "X", True),
+    "patch": (SKY, "P", True),
+    "brute_force": (GREY, "*", True),
+    "subset_dp": (GREY, "<", False),
+    "polygon_dp": (GREY, ">", False),
+    "triangle_lp": (GREY, "d", False),
+    "exact": (INK, "*", True),
+}
+OTHERS = [(SKY, "p"), (PURPLE, "H"), (ORANGE, "8"), (BLUE, "<"), (VERMILION, ">")]
+LINES = ["-", "--", ":", "-."]
+
+
+def name_of(label):
+    """The algorithm of a label "name parameter=value ..."."""
+    return label.split(" ")[0]
+
+
+class Styles:
+    """How to draw each of `labels`: an algorithm's colour and marker; its further variants differ by the line."""
+
+    def __init__(self, labels):
+        self._styles = {}
+        variants = {}
+        unknown = iter(OTHERS * 20)
+        for label in labels:
+            name = name_of(label)
+            if name not in ALGORITHMS and name not in variants:
+                ALGORITHMS[name] = (*next(unknown), True)
+            colour, marker, filled = ALGORITHMS[name]
+            variant = variants[name] = variants.get(name, -1) + 1
+            self._styles[label] = {
+                "color": colour,
+                "marker": marker,
+                "markerfacecolor": colour if filled and variant == 0 else PAPER,
+                "markeredgecolor": colour,
+                "linestyle": LINES[variant % len(LINES)],
+            }
+
+    def __getitem__(self, label):
+        return self._styles[label]
+
+    def colour(self, label):
+        return self._styles[label]["color"]
+
+
+def report_first(labels):
+    """The labels in the order of ALGORITHMS, which is from the crude to the exact; unknown ones at the end."""
+    order = {name: position for position, name in enumerate(ALGORITHMS)}
+    return sorted(labels, key=lambda label: (order.get(name_of(label), len(order)), label))
+
+
+def use_style():
+    plt.rcParams.update({
+        # Text as text, and no random ids: the same results give the same file.
+        "svg.fonttype": "none", "svg.hashsalt": "mwt",
+        # Verdana is as wide as matplotlib's own DejaVu Sans, in which the figures are laid out.
+        "font.family": "DejaVu Sans", "font.size": 8.5,
+        "text.color": INK, "axes.labelcolor": INK, "axes.edgecolor": INK, "xtick.color": INK, "ytick.color": INK,
+        "axes.titlesize": 9, "axes.titleweight": "bold", "axes.titlelocation": "left",
+        "axes.linewidth": 0.7, "axes.spines.top": False, "axes.spines.right": False,
+        "axes.grid": True, "grid.color": FAINT, "grid.linewidth": 0.5, "axes.axisbelow": True,
+        "axes.facecolor": "none", "figure.facecolor": PAPER, "savefig.facecolor": PAPER,
+        "legend.frameon": False, "legend.fontsize": 8.5, "lines.linewidth": 1.3, "lines.markersize": 5,
+        "lines.markeredgewidth": 1.0,
+    })
+
+
+def legend_below(figure, handles, labels, columns=5):
+    """One legend for all panels, under them; panels get the room above it."""
+    columns = min(columns, len(labels))
+    rows = -(-len(labels) // columns)
+    figure.legend(handles, labels, loc="lower center", ncol=columns)
+    figure.tight_layout(rect=(0, (0.12 + 0.19 * rows) / figure.get_figheight(), 1, 1))
+
+
+def svg_text(figure):
+    buffer = io.StringIO()
+    figure.savefig(buffer, format="svg", metadata={"Date": None})
+    return buffer.getvalue().replace("'DejaVu Sans'", "'DejaVu Sans', Verdana, sans-serif")
+
+
+def save(figure, path):
+    """Writes path.svg and path.png, for print on white."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.with_suffix(".svg").write_text(svg_text(figure), encoding="utf-8")
+    figure.savefig(path.with_suffix(".png"), dpi=160)
+
+
+def inline_svg(svg, prefix, title):
+    """An SVG for a page: no prologue, ids of its own, colours that follow the page's mode, a name for screen readers."""
+    svg = svg[svg.index("<svg"):]
+    svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.S)
+    svg = re.sub(r'\bid="([^"]*)"', lambda match: f'id="{prefix}-{match[1]}"', svg)
+    svg = re.sub(r'(href="#|url\(#)([^")]*)', lambda match: f"{match[1]}{prefix}-{match[2]}", svg)
+    width, height = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', svg).groups()
+    svg = re.sub(r"<svg[^>]*>", f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
+                 f'viewBox="0 0 {width} {height}" role="img" aria-label="{title}">', svg, count=1)
+    for colour, variable in ((INK, "--ink"), (FAINT, "--faint"), (PAPER, "--paper"), (OPTIMUM, "--optimum")):
+        svg = svg.replace(colour, f"var({variable})")
+    return re.sub(r"\n\s*", "\n", svg)

@@ -1,0 +1,173 @@
+#!/usr/bin/python3
+"""Tests the report's page as its readers use it: plots/page_test.py MWT
+
+Runs a small study, makes its page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+import chromium  # noqa: E402  (beside this file)
+
+SKIPPED = 77
+LARGEST_PAGE_BYTES = 5_000_000
+CLAIMS = 15
+
+
+def run(*command):
+    outcome = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    if outcome.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{outcome.stdout[-2000:]}{outcome.stderr[-2000:]}")
+
+
+class PageTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="mwt_page_")
+        results = pathlib.Path(cls.folder.name) / "results"
+        run(MWT, "run", HERE / "testdata" / "page_test.toml", "--out", results, "--no-cache")
+        run(MWT, "report", results)
+        run(HERE / "gallery.sh", MWT, results)
+        run(HERE / "make_page.py", results)
+        cls.results = results
+        # Elsewhere than its results: the page needs nothing beside it.
+        cls.page = pathlib.Path(cls.folder.name) / "alone" / "page.html"
+        cls.page.parent.mkdir()
+        cls.page.write_bytes((results / "report.html").read_bytes())
+        cls.browser = cls.enterClassContext(chromium.Browser())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.browser.show_as(1280, 900, dark=False)
+        self.browser.open(self.page)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.problems, [], "the console is silent")
+        self.assertEqual(self.browser.requests, [], "nothing is fetched")
+
+    def value(self, expression):
+        return self.browser.value(expression)
+
+    def texts(self, selector):
+        return self.value(f"[...document.querySelectorAll({selector!r})].map((element) => element.textContent)")
+
+    def test_is_small(self):
+        self.assertLess(self.page.stat().st_size, LARGEST_PAGE_BYTES)
+
+    def test_the_question_is_answered_on_the_first_screen(self):
+        self.assertIn("Is greedy’s α 1.1–1.5", self.value("document.querySelector('.answer').innerText"))
+        self.assertLess(self.value("document.querySelector('.answer').getBoundingClientRect().bottom"), 900)
+
+    def test_every_claim_has_a_verdict(self):
+        self.assertEqual(self.texts("details.claim .claim-id"), [f"C{number + 1}" for number in range(CLAIMS)])
+        verdicts = dict(zip(self.texts("details.claim .claim-id"), self.texts("details.claim .badge")))
+        self.assertEqual(verdicts["C1"], "reproduced")
+        self.assertEqual(verdicts["C14"], "by citation")
+
+    def test_verdict_buttons_choose(self):
+        self.value("document.querySelector('button[data-verdict=\"by citation\"]').click()")
+        self.assertEqual(self.value("document.querySelectorAll('details.claim:not([hidden])').length"), 1)
+        self.value("document.querySelector('button[data-verdict=\"by citation\"]').click()")
+        self.assertEqual(self.value("document.querySelectorAll('details.claim:not([hidden])').length"), CLAIMS)
+
+    def test_figures_are_drawn_and_written(self):
+        names = self.value("[...document.querySelectorAll('figure')].map((figure) => figure.previousElementSibling.id)")
+        for name in ("alpha_by_n", "alpha_distribution", "trade_off", "time_by_n", "growth", "worked_examples", "flips", "hull_bound",
+                     "same_points", "quadtree_grid"):
+            self.assertIn(f"figure-{name}", names)
+            for ending in (".svg", ".png"):
+                self.assertTrue((self.results / "figures" / (name + ending)).is_file(), name)
+        self.assertTrue(self.value("[...document.querySelectorAll('figure svg')].every((svg) => svg.querySelectorAll('path').length > 5)"))
+        self.assertTrue(self.value("[...document.querySelectorAll('figure svg')].every((svg) => svg.getAttribute('aria-label'))"))
+
+    def test_ids_are_unique(self):
+        self.assertEqual(self.value("(() => { const ids = [...document.querySelectorAll('[id]')].map((e) => e.id);"
+                                    " return ids.length - new Set(ids).size; })()"), 0)
+
+    def column(self, position):
+        return self.texts(f"#runs tbody tr td:nth-child({position})")
+
+    def test_runs_sort(self):
+        click = "[...document.querySelectorAll('#runs th button')].find((button) => button.textContent === 'n').click()"
+        self.value(click)
+        ascending = [int(text) for text in self.column(5)]
+        self.assertEqual(ascending, sorted(ascending))
+        self.assertEqual(self.value("document.querySelectorAll('#runs th[aria-sort=ascending]').length"), 1)
+        self.value(click)
+        descending = [int(text) for text in self.column(5)]
+        self.assertEqual(descending, sorted(descending, reverse=True))
+        self.assertGreater(descending[0], ascending[0])
+
+    def choose(self, title, value):
+        self.value(f"(() => {{ const label = [...document.querySelectorAll('#runs label')].find((l) => l.textContent.startsWith({title!r}));"
+                   f" const select = label.querySelector('select'); select.value = {value!r}; select.dispatchEvent(new Event('change')); }})()")
+
+    def test_runs_filter(self):
+        self.choose("algorithm", "greedy")
+        self.choose("family", "uniform")
+        self.assertEqual(set(self.column(1)), {"greedy"})
+        self.assertEqual(set(self.column(3)), {"uniform"})
+        self.value("(() => { const input = document.querySelector('#runs input'); input.value = 'nothing like it';"
+                   " input.dispatchEvent(new Event('input')); })()")
+        self.assertEqual(self.column(1), [])
+        self.assertIn("0 of 0 rows", self.value("document.querySelector('#runs [role=status]').textContent"))
+
+    def test_a_verdict_leads_to_its_rows_and_their_commands(self):
+        self.value("(() => { const claim = document.getElementById('C1'); claim.open = true; claim.querySelector('a[data-set]').click(); })()")
+        self.assertEqual(self.column(1), ["greedy_report"])
+        self.assertEqual(self.column(3), ["report_example"])
+        self.value("document.querySelector('#runs tbody button').click()")
+        command = self.value("document.querySelector('#runs tr.command').textContent")
+        self.assertIn("mwt generate report_example --n 10 --seed", command)
+        self.assertIn("mwt solve points.csv --algorithm greedy_report", command)
+
+    def test_a_row_s_command_works(self):
+        self.choose("algorithm", "flip_report")
+        self.choose("family", "uniform")
+        self.value("document.querySelector('#runs tbody button').click()")
+        command = self.value("document.querySelector('#runs tr.command').textContent").replace("build/release/mwt", str(MWT))
+        solved = subprocess.run(["/bin/sh", "-ec", command], cwd=self.folder.name, capture_output=True, text=True)
+        self.assertEqual(solved.returncode, 0, solved.stderr)
+        self.assertIn("flip_report", solved.stdout)
+
+    def test_keyboard(self):
+        self.value("document.querySelector('#C2 summary').focus()")
+        self.browser.press("Enter", 13, "\r")
+        self.assertTrue(self.value("document.getElementById('C2').open"))
+        self.browser.press("Tab", 9)
+        self.assertTrue(self.value("document.getElementById('C2').contains(document.activeElement)"))
+
+    def test_themes(self):
+        paper = "getComputedStyle(document.body).backgroundColor"
+        self.assertEqual(self.value(paper), "rgb(255, 255, 255)")
+        self.value("document.getElementById('theme').click()")
+        self.assertEqual(self.value(paper), "rgb(22, 24, 28)")
+        axis = "getComputedStyle(document.querySelector('figure svg text')).fill"
+        self.assertEqual(self.value(axis), "rgb(230, 231, 233)", "figures follow")
+
+    def test_dark_mode(self):
+        self.browser.show_as(1280, 900, dark=True)
+        self.assertEqual(self.value("getComputedStyle(document.body).backgroundColor"), "rgb(22, 24, 28)")
+
+    def test_phone(self):
+        self.browser.show_as(390, 844, dark=False)
+        self.browser.open(self.page)
+        self.value("document.querySelectorAll('details.claim').forEach((claim) => { claim.open = true; })")
+        self.assertLessEqual(self.value("document.documentElement.scrollWidth"), 390, "nothing sticks out sideways")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: page_test.py MWT")
+    MWT = pathlib.Path(sys.argv.pop()).resolve()
+    if chromium.find() is None:
+        print("SKIPPED: NO CHROMIUM ON THIS MACHINE, THE REPORT'S PAGE WAS NOT TESTED. Install it: setup/packages_for_checks.txt")
+        sys.exit(SKIPPED)
+    unittest.main(verbosity=2)
