@@ -75,6 +75,10 @@ void CommandOptions::optional_argument(const std::string& name, std::string& val
   app_.add_option(name, value, help);
 }
 
+void CommandOptions::arguments(const std::string& name, std::vector<std::string>& values, const std::string& help) {
+  app_.add_option(name, values, help)->required();
+}
+
 void CommandOptions::flag(const std::string& name, bool& value, const std::string& help) {
   app_.add_flag(name, value, help);
 }

@@ -35,6 +35,9 @@ class CommandOptions {
   void argument(const std::string& name, std::string& value, const std::string& help);
   void optional_argument(const std::string& name, std::string& value, const std::string& help);
 
+  /// One or more.
+  void arguments(const std::string& name, std::vector<std::string>& values, const std::string& help);
+
   void flag(const std::string& name, bool& value, const std::string& help);
   void required(const std::string& name, std::string& value, const std::string& help);
   void option(const std::string& name, std::optional<std::string>& value, const std::string& help);

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "harness/build_info.h"
+#include "harness/machine_watch.h"
 #include "harness/proc_file.h"
 #include "harness/text.h"
 
@@ -51,7 +52,7 @@ std::optional<std::uint64_t> swap_used_bytes() {
 
 }  // namespace
 
-EnvironmentRecord describe_environment(const std::string& study, int jobs) {
+EnvironmentRecord describe_environment(const std::string& study, int jobs, const std::string& shard) {
   EnvironmentRecord record;
   record.study = study;
   record.recorded_at = utc_now();
@@ -70,6 +71,8 @@ EnvironmentRecord describe_environment(const std::string& study, int jobs) {
   record.load_1min = load_1min();
   record.swap_used_bytes = swap_used_bytes();
   record.jobs = jobs;
+  record.shard = shard;
+  record.throttle_events = throttle_events();
   record.env_id = short_hash(csv_line(to_row(environment_columns(), record)) + std::to_string(getpid()));
   return record;
 }
@@ -78,6 +81,11 @@ std::vector<std::string> timing_warnings(const EnvironmentRecord& environment) {
   std::vector<std::string> warnings;
   if (!environment.governor.empty() && environment.governor != "performance") {
     warnings.push_back("the CPU governor is '" + environment.governor + "'; times are steadier with 'performance'");
+  }
+  if (environment.turbo == "on") warnings.push_back("turbo is on; times vary with heat and with the other CPUs' work");
+  if (environment.jobs > 1) {
+    warnings.push_back(std::to_string(environment.jobs) +
+                       " runs side by side share caches and memory; times are comparable only with --jobs 1");
   }
   const double cpus = static_cast<double>(environment.logical_cpus.value_or(1));
   if (environment.load_1min && *environment.load_1min + environment.jobs > cpus) {

@@ -8,11 +8,11 @@
 
 namespace mwt {
 
-/// All fields but study and jobs; what the system does not tell stays empty. env_id is the hash of the rest.
-[[nodiscard]] EnvironmentRecord describe_environment(const std::string& study, int jobs);
+/// Of a study, or of a shard "i/N" of it. What the system does not tell stays empty. env_id is the hash of the rest.
+[[nodiscard]] EnvironmentRecord describe_environment(const std::string& study, int jobs, const std::string& shard = "");
 
-/// What about the machine makes its times doubtful, one line each: load, a governor other than performance, swap in
-/// use.
+/// What about the machine makes its times doubtful, one line each: load, a governor other than performance, turbo,
+/// swap in use, runs side by side.
 [[nodiscard]] std::vector<std::string> timing_warnings(const EnvironmentRecord& environment);
 
 }  // namespace mwt

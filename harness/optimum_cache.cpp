@@ -1,5 +1,6 @@
 #include "harness/optimum_cache.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -77,6 +78,19 @@ std::optional<std::string> read_small_file(const std::string& path) {
   return content;
 }
 
+// Removes what killed writers left (geometry/output_file.h). An hour is longer than any write takes, so that no living
+// writer loses its file.
+void sweep_stale_files(const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const auto too_old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_temporary = name.starts_with(".mwt-") && name.ends_with(".tmp");
+    if (is_temporary && entry.last_write_time(ignored) < too_old) fs::remove(entry.path(), ignored);
+  }
+}
+
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -114,6 +128,7 @@ void OptimumCache::store(const OptimumKey& key, const CachedOptimum& optimum) {
   if (!can_store_ || !is_proved(optimum.interval)) return;
   std::error_code reported_by_writing;
   std::filesystem::create_directories(folder_, reported_by_writing);
+  if (!std::exchange(is_swept_, true)) sweep_stale_files(folder_);
   try {
     write_file_atomically(path_of(key), content_of(key, optimum));
   } catch (const InputError& error) {

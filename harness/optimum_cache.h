@@ -34,7 +34,8 @@ struct CachedOptimum {
 ///
 /// Safe without a lock under concurrent writers, on several machines that share the folder too, and under kill -9: a
 /// file appears complete, by renaming, or not at all, and it ends in a hash of its content. Of two writers of one key
-/// the last one stands; what both wrote is true. A killed writer leaves at most a temporary file, which nobody reads.
+/// the last one stands; what both wrote is true. A killed writer leaves at most a temporary file, which nobody reads
+/// and which the first store() of a later process removes once it is an hour old.
 ///
 /// Only proved optima are kept (Optimality::proved): they hold whatever the limits, bounds would not. A file that is
 /// torn, altered, of another key or not proved counts as absent and is replaced by the next store.
@@ -59,6 +60,7 @@ class OptimumCache {
   std::function<void(const std::string&)> warn_;
   bool can_store_ = true;
   bool warned_of_content_ = false;
+  bool is_swept_ = false;
 };
 
 }  // namespace mwt

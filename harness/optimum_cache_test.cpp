@@ -68,6 +68,21 @@ TEST_F(OptimumCacheTest, EveryPartOfTheKeySeparates) {
   EXPECT_TRUE(warnings_.empty());
 }
 
+TEST_F(OptimumCacheTest, SweepsWhatKilledWritersLeftLongAgo) {
+  namespace fs = std::filesystem;
+  fs::create_directory(folder_.path("optima"));
+  for (const char* name : {".mwt-1-0.tmp", ".mwt-2-0.tmp", "notes.txt"}) {
+    testing::write_text(folder_.path(std::string("optima/") + name), "x");
+  }
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(2);
+  for (const char* name : {".mwt-1-0.tmp", "notes.txt"})
+    fs::last_write_time(folder_.path(std::string("optima/") + name), long_ago);
+  cache().store(kKey, {kProved, 1});
+  EXPECT_FALSE(fs::exists(folder_.path("optima/.mwt-1-0.tmp")));
+  EXPECT_TRUE(fs::exists(folder_.path("optima/.mwt-2-0.tmp"))) << "its writer may be alive";
+  EXPECT_TRUE(fs::exists(folder_.path("optima/notes.txt"))) << "not ours";
+}
+
 TEST_F(OptimumCacheTest, KeepsNothingButProvedOptima) {
   const double infinity = std::numeric_limits<double>::infinity();
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -95,6 +95,7 @@ const std::vector<Column<RunRecord>>& run_columns() {
       column("triangulation_count", &R::triangulation_count),
       column("phases", &R::phases),
       column("counters", &R::counters),
+      column("yardstick_time_s", &R::yardstick_time_s),
   };
   return columns;
 }
@@ -145,6 +146,8 @@ const std::vector<Column<EnvironmentRecord>>& environment_columns() {
       column("load_1min", &R::load_1min),
       column("swap_used_bytes", &R::swap_used_bytes),
       column("jobs", &R::jobs),
+      column("shard", &R::shard),
+      column("throttle_events", &R::throttle_events),
   };
   return columns;
 }

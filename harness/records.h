@@ -18,7 +18,7 @@
 
 namespace mwt {
 
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 /// One repetition of one algorithm on one instance. Measures are empty unless the run came to have them.
 struct RunRecord {
@@ -62,6 +62,7 @@ struct RunRecord {
   std::string triangulation_count;
   std::string phases;
   std::string counters;
+  std::optional<double> yardstick_time_s;
 };
 
 /// One instance, written when its optimum has been sought.
@@ -106,6 +107,8 @@ struct EnvironmentRecord {
   std::optional<double> load_1min;
   std::optional<std::uint64_t> swap_used_bytes;
   int jobs = 1;
+  std::string shard;
+  std::optional<std::uint64_t> throttle_events;
 };
 
 template <class Record>

@@ -36,7 +36,7 @@ def read_rated_runs(folder):
     if not path.is_file():
         sys.exit(f"{path}: no such file; make it with: mwt run STUDY --out {folder}")
     runs = pd.read_csv(path, keep_default_na=True, dtype={column: str for column in TEXT_COLUMNS})
-    if set(runs["schema_version"]) - {1}:
+    if set(runs["schema_version"]) - {1, 2}:
         sys.exit(f"{path}: a schema version that this script does not know")
     for column in TEXT_COLUMNS:
         runs[column] = runs[column].fillna("")

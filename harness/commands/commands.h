@@ -10,5 +10,6 @@ namespace mwt {
 [[nodiscard]] Command solve_command();
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command run_command();
+[[nodiscard]] Command merge_command();
 
 }  // namespace mwt

@@ -18,12 +18,25 @@ struct Options {
   bool resume = false;
   int jobs = 1;
   bool no_cache = false;
+  std::optional<std::string> shard;
+  std::optional<std::string> instances;
+  bool accept_other_build = false;
 };
 
+// Shards go to folders of their own.
+std::string default_folder(const Study& study, const Shard& shard) {
+  std::string folder = "results/" + study.name;
+  if (shard.count > 1) folder += "-shard-" + std::to_string(shard.number) + "-of-" + std::to_string(shard.count);
+  return folder;
+}
+
 int run(const Options& options) {
-  const Study study = read_study(find_study_file(options.study));
+  Study study = read_study(find_study_file(options.study));
+  if (options.instances) study.instance_files.folder = *options.instances;
   RunOptions run_options;
-  run_options.folder = options.folder.value_or("results/" + study.name);
+  if (options.shard) run_options.shard = parse_shard(*options.shard);
+  run_options.folder = options.folder.value_or(default_folder(study, run_options.shard));
+  run_options.accepts_other_build = options.accept_other_build;
   run_options.resume = options.resume;
   run_options.jobs = options.jobs;
   run_options.is_terminal = isatty(STDOUT_FILENO) == 1;
@@ -43,6 +56,10 @@ Command run_command() {
     declared.flag("--resume", options->resume, "continue in a folder that has records: run only what is missing");
     declared.positive("--jobs", options->jobs, "runs side by side; more than one disturbs the times");
     declared.flag("--no-cache", options->no_cache, "seek every optimum anew; leave the optimum cache alone");
+    declared.option("--shard", options->shard, "i/N: only the i-th of N parts; mwt merge joins them");
+    declared.option("--instances", options->instances, "folder of the study's point files, instead of the study's own");
+    declared.flag("--accept-other-build", options->accept_other_build,
+                  "with --resume: continue although the records come from another build of mwt");
   };
   return {"run", "Run a study: every run isolated, checked and recorded", declare, [options] { return run(*options); }};
 }

@@ -49,20 +49,43 @@ Request make_request(const Options& options, const Catalogue& catalogue, const I
 }
 
 // The optimum from the cache or the exact algorithms, each in a process of its own.
-FoundOptimum search_optimum(const Catalogue& catalogue, const Instance& instance, const Options& options) {
-  RunLimits limits;
-  limits.time_s = options.time_limit_s.value_or(limits.time_s);
+FoundOptimum search_optimum(const Instance& instance, std::vector<const AlgorithmInfo*> sources,
+                            const RunLimits& limits, OptimumCache* cache) {
+  const auto shared = std::make_shared<const Instance>(instance);
+  FoundOptimum result;
+  ProcessPool pool(1);
+  seek_optimum(pool, shared, std::move(sources), limits, cache, [&](const FoundOptimum& found) { result = found; });
+  while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(200));
+  return result;
+}
+
+// What is known besides what the solution itself certifies. If that is the optimum, nothing more is sought, and it goes
+// into the cache; and an exact algorithm that did not prove it is not asked again.
+FoundOptimum optimum_beyond(const Catalogue& catalogue, const Instance& instance, const Request& request,
+                            const Execution& execution, const Interval& weight, const Options& options) {
   std::optional<OptimumCache> cache;
   const auto warn = [](const std::string& warning) { std::cerr << "mwt: warning: " << warning << '\n'; };
   if (!options.no_cache) cache.emplace(optimum_cache_folder(), warn);
-  const auto shared = std::make_shared<const Instance>(instance);
+  const AlgorithmInfo& solver = *request.algorithm;
+  const OptimumKey key{instance.id, solver.name, solver.version, request.parameters.canonical()};
+  const std::optional<Interval> own = witnessed_optimum(execution.solution.optimum, weight).interval;
+  if (optimality_of(own) == Optimality::proved) {
+    if (cache && solver.exactness == Exactness::exact) cache->store(key, {*own, execution.wall_time_s});
+    return {};
+  }
+  if (const auto earlier = cache ? cache->find(key) : std::nullopt) {
+    FoundOptimum known;
+    known.interval = earlier->interval;
+    known.source = solver.name;
+    known.is_cached = true;
+    return known;
+  }
+  RunLimits limits;
+  limits.time_s = options.time_limit_s.value_or(limits.time_s);
   const auto n = static_cast<Index>(instance.set.points.size());
-  FoundOptimum result;
-  ProcessPool pool(1);
-  seek_optimum(pool, shared, optimum_sources_for(catalogue, {}, n, instance.hull_size == n), limits,
-               cache ? &*cache : nullptr, [&](const FoundOptimum& found) { result = found; });
-  while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(200));
-  return result;
+  auto sources = optimum_sources_for(catalogue, {}, n, instance.hull_size == n);
+  std::erase(sources, &solver);
+  return search_optimum(instance, std::move(sources), limits, cache ? &*cache : nullptr);
 }
 
 SolveReport describe(const Request& request, const Instance& instance, const Execution& execution,
@@ -140,7 +163,7 @@ int solve(const Options& options) {
     throw std::logic_error(report.algorithm + " returned no triangulation: " + *judgement.violation);
   }
   FoundOptimum found;
-  if (options.with_optimum) found = search_optimum(catalogue, instance, options);
+  if (options.with_optimum) found = optimum_beyond(catalogue, instance, request, execution, judgement.weight, options);
   rate(report, execution.solution.optimum, found);
   write_files(options, instance, input, execution.solution.triangulation);
   print(options, report);

@@ -80,6 +80,18 @@ TEST_F(Solve, TheOptimumIsSoughtOnceAndThenCached) {
   EXPECT_FALSE(output()["optimum_cached"]);
 }
 
+TEST_F(Solve, AnOptimumThatTheAlgorithmProvedIsNotSoughtAgain) {
+  ASSERT_EQ(mwt("generate uniform --n 50 -o p.txt"), 0);
+  ASSERT_EQ(mwt("solve p.txt --algorithm triangle_lp --with-optimum --json"), 0);
+  EXPECT_EQ(output()["optimality"], "proved");
+  EXPECT_FALSE(output()["optimum_cached"]);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path("optima"))) {
+    EXPECT_NE(entry.path().string().find("-triangle_lp-"), std::string::npos) << "no other solver was asked";
+  }
+  ASSERT_EQ(mwt("solve p.txt --algorithm delaunay --with-optimum --json"), 0);
+  EXPECT_TRUE(output()["optimum_cached"]) << "and now it is known";
+}
+
 TEST_F(Solve, AnUnusableCacheIsAWarningOnly) {
   write_text(folder_.path("optima"), "a file where the folder should be");
   write_text(folder_.path("p.txt"), "0 0\n2 0\n2 2\n0 2\n1 1\n");

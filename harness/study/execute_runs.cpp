@@ -11,19 +11,18 @@ namespace mwt {
 
 namespace {
 
-std::set<std::string> recorded_ids(const ResultsFolder& folder) {
-  std::set<std::string> ids;
-  for (const RunRecord& record : folder.runs()) ids.insert(record.run_id);
-  return ids;
-}
-
 class RunPhase {
  public:
   explicit RunPhase(StudySession& session)
       : session_(session),
-        recorded_(recorded_ids(session.folder)),
+        recorded_(session.folder.run_ids()),
         progress_(session.out, session.options.is_terminal, "runs", missing()),
-        pool_(session.options.jobs) {}
+        pool_(session.options.jobs) {
+    session_.progress = &progress_;
+  }
+  ~RunPhase() { session_.progress = nullptr; }
+  RunPhase(const RunPhase&) = delete;
+  RunPhase& operator=(const RunPhase&) = delete;
 
   void run() {
     for (const PlannedRun& run : session_.plan.runs) {
@@ -62,8 +61,20 @@ class RunPhase {
     request.seed = keys.seed;
     request.threads = session_.study.threads;
     request.time_limit_s = session_.study.limits.time_s;
-    start_isolated_run(pool_, request, instance, keys, session_.study.limits, session_.study.min_time_s,
-                       [this](RunRecord ended) { record(std::move(ended)); });
+    const Timing timing{session_.study.min_time_s, session_.study.measures_yardstick};
+    start_isolated_run(pool_, request, instance, keys, session_.study.limits, timing, [this, &run](RunRecord ended) {
+      const std::optional<Interval> own_optimum = optimum_of(ended);
+      const bool is_believed = record(std::move(ended));
+      if (is_believed && own_optimum) remember(run, *own_optimum);
+    });
+  }
+
+  // Other studies need not solve the instance again.
+  void remember(const PlannedRun& run, const Interval& optimum) {
+    if (!session_.cache || run.algorithm->exactness != Exactness::exact) return;
+    const RunRecord& row = session_.folder.runs().back();
+    const OptimumKey key{row.instance_id, run.algorithm->name, run.algorithm->version, run.parameters.canonical()};
+    if (!session_.cache->find(key)) session_.cache->store(key, {optimum, row.wall_time_s.value_or(0)});
   }
 
   [[nodiscard]] RunRecord keys_of(const PlannedRun& run) const {
@@ -77,8 +88,8 @@ class RunPhase {
     record.binary_sha256 = session_.environment.binary_sha256;
     record.algorithm = run.algorithm->name;
     record.params = run.parameters.canonical();
-    record.generator = planned.family->name;
-    record.generator_params = planned.parameters.canonical();
+    record.generator = planned.generator;
+    record.generator_params = planned.parameters;
     record.n = planned.n;
     record.seed = planned.seed;
     record.repetition = run.repetition;
@@ -95,11 +106,13 @@ class RunPhase {
     record(std::move(run));
   }
 
-  void record(RunRecord run) {
+  // Completes the row and writes it. False if it contradicts what is known.
+  bool record(RunRecord run) {
     const std::string label =
         run.algorithm + " on " + run.generator + " n=" + std::to_string(run.n) + " seed=" + std::to_string(run.seed);
     StudyOutcome& outcome = session_.outcome;
-    if (!session_.known.rate(run)) {
+    const bool is_believed = session_.known.rate(run);
+    if (!is_believed) {
       ++outcome.contradictions;
       progress_.announce(label + ": " + run.message);
     }
@@ -107,6 +120,7 @@ class RunPhase {
     ++outcome.runs;
     if (is_failure(run.status)) ++outcome.failures;
     progress_.advance(is_failure(run.status), label);
+    return is_believed;
   }
 
   StudySession& session_;

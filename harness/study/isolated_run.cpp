@@ -2,19 +2,22 @@
 
 #include <utility>
 
-#include "harness/study/worker.h"
 #include "harness/text.h"
 
 namespace mwt {
 
 namespace {
 
-// Checking and weighing take about a microsecond per point; ten times that, and a second for a machine under load.
-double checking_allowance_s(Index n) { return 1 + 1e-5 * n; }
+// Checking and weighing take about a microsecond per point, the yardstick as much and at most half a second more; ten
+// times that, and a second for a machine under load.
+double allowance_s(const Timing& timing, Index n) {
+  const double once = 1e-5 * n;
+  return 1 + once + (timing.yardstick ? 5 + once : 0);
+}
 
-ProcessLimits process_limits(const RunLimits& limits, Index n, int threads) {
+ProcessLimits process_limits(const RunLimits& limits, const Timing& timing, Index n, int threads) {
   ProcessLimits result;
-  result.wall_s = limits.time_s + limits.grace_s + checking_allowance_s(n);
+  result.wall_s = limits.time_s + limits.grace_s + allowance_s(timing, n);
   result.cpu_s = result.wall_s * threads;
   result.memory_bytes = limits.memory_bytes;
   return result;
@@ -43,13 +46,13 @@ RunRecord record_after(const ProcessResult& process, RunRecord keys) {
 }  // namespace
 
 void start_isolated_run(ProcessPool& pool, const Request& request, std::shared_ptr<const Instance> instance,
-                        const RunRecord& keys, const RunLimits& limits, double min_time_s,
+                        const RunRecord& keys, const RunLimits& limits, const Timing& timing,
                         std::function<void(RunRecord)> when_done) {
   const auto work = [&] {
-    return encode(run_in_worker(request, *instance, keys, min_time_s, limits.time_s + limits.grace_s));
+    return encode(run_in_worker(request, *instance, keys, timing, limits.time_s + limits.grace_s));
   };
   const ProcessLimits process =
-      process_limits(limits, static_cast<Index>(instance->set.points.size()), request.threads);
+      process_limits(limits, timing, static_cast<Index>(instance->set.points.size()), request.threads);
   pool.start(work, process, [keys, when_done = std::move(when_done)](const ProcessResult& result) {
     RunRecord record = record_after(result, keys);
     record.recorded_at = utc_now();

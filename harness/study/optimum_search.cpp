@@ -60,7 +60,7 @@ struct Search : std::enable_shared_from_this<Search> {
     request.algorithm = &source;
     request.parameters = Parameters(source.name, source.parameters, {});
     request.time_limit_s = limits.time_s;
-    const double once = 1e-9;
+    const Timing once{1e-9, false};
     start_isolated_run(pool, request, instance, {}, limits, once,
                        [self = shared_from_this(), &source](const RunRecord& record) { self->take(source, record); });
   }

@@ -1,10 +1,12 @@
 #include "harness/study/plan.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/point_file.h"
 #include "geometry/point_set.h"
 #include "harness/start_triangulation.h"
 #include "harness/text.h"
@@ -43,15 +45,22 @@ std::vector<Choice> without_wildcard(const std::vector<Choice>& choices, std::sp
   return expanded;
 }
 
+// A family with its parameters and a seed, before n is known.
+struct Source {
+  const GeneratorInfo& family;
+  const Parameters& parameters;
+  std::uint64_t seed;
+};
+
 // The nearest n of which the family has an instance, the smaller one of two; 0 if there is none near.
-Index nearest_legal_n(const PlannedInstance& wanted, std::string& complaint) {
-  const Index reach = std::max<Index>(5, wanted.n / 8);
+Index nearest_legal_n(const Source& source, Index wanted, std::string& complaint) {
+  const Index reach = std::max<Index>(5, wanted / 8);
   for (Index distance = 0; distance <= reach; ++distance) {
-    for (const std::int64_t n : {std::int64_t{wanted.n} - distance, std::int64_t{wanted.n} + distance}) {
+    for (const std::int64_t n : {std::int64_t{wanted} - distance, std::int64_t{wanted} + distance}) {
       if (n < 1) continue;
       try {
-        const auto points = generate_points(*wanted.family, static_cast<Index>(n), wanted.seed, wanted.parameters);
-        static_cast<void>(make_point_set(points, wanted.family->name));
+        const auto points = generate_points(source.family, static_cast<Index>(n), source.seed, source.parameters);
+        static_cast<void>(make_point_set(points, source.family.name));
         return static_cast<Index>(n);
       } catch (const InputError& error) {
         complaint = error.what();
@@ -72,6 +81,7 @@ class Planner {
     for (const FamilyChoice& choice : without_wildcard(study_.families, catalogue_.generators())) {
       at_place(choice.place, [&] { add_family(choice); });
     }
+    if (!study_.instance_files.patterns.empty()) add_files();
     return std::move(plan_);
   }
 
@@ -97,43 +107,61 @@ class Planner {
     std::vector<std::uint64_t> seeds = choice.seeds.empty() ? study_.seeds : choice.seeds;
     if (!family.seeded) seeds.resize(1);
     for (const Index size : sizes) {
-      PlannedInstance instance{&family, parameters, size, seeds.front()};
-      instance.n = legal_n(instance);
-      if (instance.n == 0) continue;
+      const Index n = legal_n({family, parameters, seeds.front()}, size);
+      if (n == 0) continue;
       for (const std::uint64_t seed : seeds) {
-        instance.seed = seed;
-        add_instance(instance);
+        add_instance({family.name, parameters.canonical(), n, seed,
+                      [&family, parameters, n, seed] { return generate_points(family, n, seed, parameters); }});
       }
     }
   }
 
-  Index legal_n(const PlannedInstance& wanted) {
+  Index legal_n(const Source& source, Index wanted) {
     std::string complaint = "no instance near that size";
-    const Index n = nearest_legal_n(wanted, complaint);
-    if (n == 0)
-      plan_.notes.push_back("left out: " + wanted.family->name + " n=" + std::to_string(wanted.n) + ": " + complaint);
-    if (n != 0 && n != wanted.n) {
-      plan_.notes.push_back(wanted.family->name + " has no n=" + std::to_string(wanted.n) +
-                            "; taken: n=" + std::to_string(n));
+    const Index n = nearest_legal_n(source, wanted, complaint);
+    const std::string& family = source.family.name;
+    if (n == 0) plan_.notes.push_back("left out: " + family + " n=" + std::to_string(wanted) + ": " + complaint);
+    if (n != 0 && n != wanted) {
+      plan_.notes.push_back(family + " has no n=" + std::to_string(wanted) + "; taken: n=" + std::to_string(n));
     }
     return n;
   }
 
+  void add_files() {
+    for (const std::string& name : matching_files(study_.instance_files)) {
+      const std::string path = (std::filesystem::path(study_.instance_files.folder) / name).string();
+      try {
+        const std::vector<Point> points = read_points(path);
+        static_cast<void>(make_point_set(points, path));
+        add_instance({kFileGenerator, "file=" + name, static_cast<Index>(points.size()), study_.seeds.front(),
+                      [path] { return read_points(path); }});
+      } catch (const InputError& error) {
+        plan_.notes.push_back(std::string("left out: ") + error.what());
+      }
+    }
+  }
+
   void add_instance(const PlannedInstance& instance) {
-    const std::string key = joined({study_.name, instance.family->name, instance.parameters.canonical(),
-                                    std::to_string(instance.n), std::to_string(instance.seed)},
+    const std::string key = joined({study_.name, instance.generator, instance.parameters, std::to_string(instance.n),
+                                    std::to_string(instance.seed)},
                                    "\n");
     if (!known_instances_.insert(key).second) return;
     plan_.instances.push_back(instance);
-    for (int repetition = 0; repetition < study_.repetitions; ++repetition) {
-      for (PlannedRun run : algorithms_) {
-        run.instance = plan_.instances.size() - 1;
-        run.repetition = repetition;
-        run.run_id = short_hash(
-            joined({key, run.algorithm->name, run.parameters.canonical(), std::to_string(repetition)}, "\n"));
-        if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
-      }
+    for (int repetition = 0; repetition < study_.repetitions; ++repetition) add_repetition(key, repetition);
+  }
+
+  // The algorithms in a random order, so that none always profits from what ran before it: that of the runs' hashes.
+  void add_repetition(const std::string& instance_key, int repetition) {
+    const std::size_t begin = plan_.runs.size();
+    for (PlannedRun run : algorithms_) {
+      run.instance = plan_.instances.size() - 1;
+      run.repetition = repetition;
+      run.run_id = short_hash(
+          joined({instance_key, run.algorithm->name, run.parameters.canonical(), std::to_string(repetition)}, "\n"));
+      if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
     }
+    std::sort(plan_.runs.begin() + static_cast<std::ptrdiff_t>(begin), plan_.runs.end(),
+              [](const PlannedRun& a, const PlannedRun& b) { return a.run_id < b.run_id; });
   }
 
   const Study& study_;
@@ -147,8 +175,7 @@ class Planner {
 }  // namespace
 
 std::string PlannedInstance::label() const {
-  const std::string given = parameters.canonical();
-  return family->name + (given.empty() ? "" : " " + given) + " n=" + std::to_string(n) +
+  return generator + (parameters.empty() ? "" : " " + parameters) + " n=" + std::to_string(n) +
          " seed=" + std::to_string(seed);
 }
 

@@ -1,6 +1,7 @@
 // From a study to the list of its instances and runs, before anything is run.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,15 +10,18 @@
 
 namespace mwt {
 
+/// `generator` of instances that were read from a file; their parameters are "file=NAME".
+inline constexpr const char* kFileGenerator = "file";
+
 struct PlannedInstance {
-  const GeneratorInfo* family = nullptr;
-  Parameters parameters;
-  Index n = 0;
+  std::string generator;   ///< a family, or kFileGenerator
+  std::string parameters;  ///< in canonical form
+  Index n = 0;             ///< duplicates included
   std::uint64_t seed = 0;
+  std::function<std::vector<Point>()> make_points;  ///< throws InputError if there is no such instance after all
 
   /// "uniform n=100 seed=1", for messages.
   [[nodiscard]] std::string label() const;
-  [[nodiscard]] std::vector<Point> generate() const { return generate_points(*family, n, seed, parameters); }
 };
 
 struct PlannedRun {
@@ -31,15 +35,32 @@ struct PlannedRun {
 
 struct Plan {
   std::vector<PlannedInstance> instances;
-  std::vector<PlannedRun> runs;    ///< by instance, then by repetition, so that repetitions interleave
+  std::vector<PlannedRun> runs;    ///< by instance, then by repetition; within these in a random order, always the same
   std::vector<std::string> notes;  ///< what was left out or changed, for the user
 };
 
-/// A named instance (fixed n) is planned once, a family that no seed changes with the first seed only. A size that the
-/// family does not have becomes the nearest one it has within an eighth (at least 5), or is left out with a note.
-/// Equal cells are planned once. Generates one instance per family and size to find out.
-/// Throws InputError, naming the study file's line: unknown names, wrong parameters, no sizes where needed.
+/// A named instance (fixed n) is planned once, a family that no seed changes and a file with the first seed only. A
+/// size that the family does not have becomes the nearest one it has within an eighth (at least 5), or is left out with
+/// a note, as is a file without usable points. Equal cells are planned once. Generates one instance per family and
+/// size, and reads every file, to find out.
+/// Throws InputError, naming the study file's line: unknown names, wrong parameters, no sizes where needed, no files.
 [[nodiscard]] Plan make_plan(const Study& study, const Catalogue& catalogue);
+
+/// One of several parts of a study that can be run apart.
+struct Shard {
+  std::size_t number = 1;  ///< 1 .. count
+  std::size_t count = 1;
+
+  /// "2/4"; empty for the whole study.
+  [[nodiscard]] std::string text() const;
+};
+
+/// From "i/N". Throws InputError unless 1 <= i <= N.
+[[nodiscard]] Shard parse_shard(const std::string& text);
+
+/// The instances of one shard with all their runs, in the plan's order. Every instance is in exactly one of the `count`
+/// shards; each shard gets its share of every size.
+[[nodiscard]] Plan part_of(const Plan& plan, const Shard& shard);
 
 /// The smaller of an entry's and a study's limit; 0 in an entry means none.
 [[nodiscard]] Index largest_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -30,7 +31,10 @@ TEST(Plan, MultipliesFamiliesSizesSeedsAlgorithmsRepetitions) {
   const Plan plan = plan_of(study);
   EXPECT_EQ(plan.instances.size(), 4u);
   EXPECT_EQ(plan.runs.size(), 24u);
-  EXPECT_NE(plan.runs[0].algorithm, plan.runs[1].algorithm) << "repetitions interleave";
+  for (std::size_t i = 0; i < 24; i += 2) {
+    EXPECT_NE(plan.runs[i].algorithm, plan.runs[i + 1].algorithm) << "repetitions interleave";
+    EXPECT_EQ(plan.runs[i].repetition, plan.runs[i + 1].repetition);
+  }
   std::set<std::string> ids;
   for (const PlannedRun& run : plan.runs) ids.insert(run.run_id);
   EXPECT_EQ(ids.size(), 24u);
@@ -41,7 +45,8 @@ TEST(Plan, IdsDependOnTheCellAlone) {
   const std::string id = plan_of(study).runs.back().run_id;
   study.algorithms.insert(study.algorithms.begin(), {"small", {}, {}, ""});
   study.limits.time_s = 1;
-  EXPECT_EQ(plan_of(study).runs.back().run_id, id);
+  const Plan plan = plan_of(study);
+  EXPECT_TRUE(std::any_of(plan.runs.begin(), plan.runs.end(), [&](const PlannedRun& run) { return run.run_id == id; }));
 }
 
 TEST(Plan, AWildcardStandsForAllThatAreNotNamed) {
@@ -50,8 +55,8 @@ TEST(Plan, AWildcardStandsForAllThatAreNotNamed) {
   const Plan plan = plan_of(study);
   std::size_t clustered = 0;
   for (const PlannedInstance& instance : plan.instances) {
-    if (instance.family->name != "clustered") continue;
-    EXPECT_EQ(instance.parameters.text("clusters"), "3");
+    if (instance.generator != "clustered") continue;
+    EXPECT_TRUE(instance.parameters.starts_with("clusters=3 ")) << instance.parameters;
     ++clustered;
   }
   EXPECT_EQ(clustered, 4u);
@@ -94,8 +99,73 @@ TEST(Plan, TheSmallerLimitCounts) {
   Study study = small_study();
   study.algorithms = {{"small", {}, {}, ""}, {"small", {}, 3, ""}, {"well", {}, 7, ""}};
   const Plan plan = plan_of(study);
-  EXPECT_EQ(plan.runs[0].largest_n, 5u);
-  EXPECT_EQ(plan.runs[1].largest_n, 7u) << "the second 'small' is the same cell as the first";
+  ASSERT_EQ(plan.runs.size(), 8u) << "the second 'small' is the same cell as the first";
+  for (const PlannedRun& run : plan.runs) EXPECT_EQ(run.largest_n, run.algorithm->name == "small" ? 5u : 7u);
+}
+
+TEST(Plan, AlgorithmsComeInAnOrderThatVaries) {
+  Study study = small_study();
+  study.algorithms.push_back({"small", {}, {}, "s.toml:2"});
+  study.repetitions = 20;
+  const Plan plan = plan_of(study);
+  std::size_t well_first = 0;
+  for (std::size_t i = 0; i < plan.runs.size(); i += 2) well_first += plan.runs[i].algorithm->name == "well" ? 1 : 0;
+  EXPECT_GT(well_first, 20u);  // of 80, each with probability a half
+  EXPECT_LT(well_first, 60u);
+}
+
+TEST(Plan, FilesAreInstancesToo) {
+  const testing::TemporaryFolder folder;
+  testing::write_text(folder.path("a.txt"), "0 0\n1 0\n0 1\n0 1\n");
+  testing::write_text(folder.path("b.txt"), "0 0\n1 0\n0 1\n");
+  testing::write_text(folder.path("c.txt"), "0 0\nx y\n");
+  testing::write_text(folder.path("d.csv"), "0 0\n");
+  Study study = small_study();
+  study.families.clear();
+  study.instance_files = {folder.path(""), {"*.txt", "a*"}, "s.toml:3"};
+  const Plan plan = plan_of(study);
+  ASSERT_EQ(plan.instances.size(), 2u);
+  EXPECT_EQ(plan.instances[0].label(), "file file=a.txt n=4 seed=1");
+  EXPECT_EQ(plan.instances[1].make_points().size(), 3u);
+  ASSERT_EQ(plan.notes.size(), 1u);
+  EXPECT_NE(plan.notes[0].find("c.txt:2"), std::string::npos) << plan.notes[0];
+  study.instance_files.patterns = {"*.xy"};
+  EXPECT_THROW(plan_of(study), InputError);
+  study.instance_files.folder = folder.path("missing");
+  EXPECT_THROW(plan_of(study), InputError);
+}
+
+TEST(Shard, IsReadFromItsText) {
+  EXPECT_EQ(parse_shard("2/4").text(), "2/4");
+  EXPECT_EQ(parse_shard("1/1").text(), "");
+  for (const char* text : {"", "1", "0/4", "5/4", "1/", "/4", "a/b", "1/4x", "-1/4", "1 /4", "1/0"}) {
+    EXPECT_THROW(static_cast<void>(parse_shard(text)), InputError) << text;
+  }
+}
+
+TEST(Shard, EveryInstanceIsInExactlyOneAndSizesAreSpread) {
+  Study study = small_study();
+  study.sizes = {10, 20, 30, 40};
+  study.seeds = {1, 2, 3, 4};
+  study.algorithms.push_back({"small", {}, {}, "s.toml:2"});
+  const Plan plan = plan_of(study);
+  std::multiset<std::string> ids;
+  for (std::size_t number = 1; number <= 4; ++number) {
+    const Plan part = part_of(plan, {number, 4});
+    std::set<Index> sizes;
+    for (const PlannedInstance& instance : part.instances) sizes.insert(instance.n);
+    EXPECT_EQ(sizes.size(), 4u);
+    EXPECT_EQ(part.instances.size(), 4u);
+    for (const PlannedRun& run : part.runs) {
+      ids.insert(run.run_id);
+      EXPECT_EQ(std::count_if(part.runs.begin(), part.runs.end(),
+                              [&](const PlannedRun& other) { return other.instance == run.instance; }),
+                2);
+    }
+  }
+  std::multiset<std::string> all;
+  for (const PlannedRun& run : plan.runs) all.insert(run.run_id);
+  EXPECT_EQ(ids, all);
 }
 
 TEST(Plan, MistakesNameTheirPlace) {

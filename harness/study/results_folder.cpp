@@ -84,6 +84,12 @@ ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool r
   instances_ = records_of(instance_file_->existing_rows(), instance_columns(), (folder / "instances.csv").string());
 }
 
+std::set<std::string> ResultsFolder::run_ids() const {
+  std::set<std::string> ids;
+  for (const RunRecord& record : runs_) ids.insert(record.run_id);
+  return ids;
+}
+
 void ResultsFolder::append(const RunRecord& record) {
   run_file_->append(to_row(run_columns(), record));
   runs_.push_back(record);
@@ -98,14 +104,51 @@ void ResultsFolder::append(const EnvironmentRecord& record) {
   environment_file_->append(to_row(environment_columns(), record));
 }
 
-std::vector<RunRecord> read_runs(const std::string& folder) {
-  const std::string file = (fs::path(folder) / "runs.csv").string();
+namespace {
+
+template <class Record>
+std::vector<Record> read_file_of_records(const std::string& folder, const char* name,
+                                         const std::vector<Column<Record>>& columns) {
+  const std::string file = (fs::path(folder) / name).string();
   std::vector<CsvRow> rows = parse_csv(read_file(file));
-  if (rows.empty() || rows.front() != header_of(run_columns())) {
+  if (rows.empty() || rows.front() != header_of(columns)) {
     throw InputError(file + ": its columns are not those of schema version " + std::to_string(kSchemaVersion));
   }
   rows.erase(rows.begin());
-  return records_of(rows, run_columns(), file);
+  return records_of(rows, columns, file);
+}
+
+template <class Record>
+void write_file_of_records(const std::string& folder, const char* name, const std::vector<Column<Record>>& columns,
+                           const std::vector<Record>& records) {
+  std::string content = csv_line(header_of(columns));
+  for (const Record& record : records) content += csv_line(to_row(columns, record));
+  write_file_atomically((fs::path(folder) / name).string(), content);
+}
+
+}  // namespace
+
+std::vector<RunRecord> read_runs(const std::string& folder) {
+  return read_file_of_records(folder, "runs.csv", run_columns());
+}
+
+StudyRecords read_records(const std::string& folder) {
+  StudyRecords records;
+  records.study_file = read_file((fs::path(folder) / "study.toml").string());  // before the lock would make the folder
+  const FolderLock lock(folder);
+  records.runs = read_runs(folder);
+  records.instances = read_file_of_records(folder, "instances.csv", instance_columns());
+  records.environments = read_file_of_records(folder, "environments.csv", environment_columns());
+  return records;
+}
+
+void write_records(const std::string& folder, const StudyRecords& records) {
+  const FolderLock lock(folder);
+  require_empty(folder);
+  write_file_atomically((fs::path(folder) / "study.toml").string(), records.study_file);
+  write_file_of_records(folder, "environments.csv", environment_columns(), records.environments);
+  write_file_of_records(folder, "instances.csv", instance_columns(), records.instances);
+  write_file_of_records(folder, "runs.csv", run_columns(), records.runs);
 }
 
 }  // namespace mwt

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,7 @@ class ResultsFolder {
   /// All records, those of earlier invocations first.
   [[nodiscard]] const std::vector<RunRecord>& runs() const { return runs_; }
   [[nodiscard]] const std::vector<InstanceRecord>& instances() const { return instances_; }
+  [[nodiscard]] std::set<std::string> run_ids() const;
 
  private:
   FolderLock lock_;
@@ -53,5 +55,20 @@ class ResultsFolder {
 
 /// The runs recorded in a results folder. Throws InputError: no runs.csv, another schema version, a malformed row.
 [[nodiscard]] std::vector<RunRecord> read_runs(const std::string& folder);
+
+/// All that a results folder holds.
+struct StudyRecords {
+  std::string study_file;  ///< content of study.toml
+  std::vector<RunRecord> runs;
+  std::vector<InstanceRecord> instances;
+  std::vector<EnvironmentRecord> environments;
+};
+
+/// Throws InputError as read_runs(), and if another process is writing in the folder.
+[[nodiscard]] StudyRecords read_records(const std::string& folder);
+
+/// Makes a results folder; runs.csv last, so that none is half there. Throws InputError: it holds something already, or
+/// cannot be written.
+void write_records(const std::string& folder, const StudyRecords& records);
 
 }  // namespace mwt

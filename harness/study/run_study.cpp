@@ -1,6 +1,11 @@
 #include "harness/study/run_study.h"
 
+#include <algorithm>
+#include <set>
+
+#include "geometry/error.h"
 #include "harness/environment.h"
+#include "harness/machine_watch.h"
 #include "harness/study/interrupt.h"
 #include "harness/study/optimum_search.h"
 #include "harness/study/study_session.h"
@@ -10,9 +15,25 @@ namespace mwt {
 
 namespace {
 
+void require_same_build(const StudySession& session) {
+  const std::set<std::string> recorded = session.folder.run_ids();
+  const auto& planned = session.plan.runs;
+  const bool is_complete =
+      std::all_of(planned.begin(), planned.end(), [&](const PlannedRun& run) { return recorded.contains(run.run_id); });
+  if (is_complete || session.options.accepts_other_build) return;
+  for (const RunRecord& run : session.folder.runs()) {
+    if (run.binary_sha256 == session.environment.binary_sha256) continue;
+    throw InputError(session.options.folder + ": its runs were recorded by another build of mwt (commit " +
+                     run.git_commit + "; this one: " + session.environment.git_commit +
+                     "); choose a new folder with --out, or mix the two with --accept-other-build");
+  }
+}
+
 void announce_plan(StudySession& session) {
-  session.out << "study " << session.study.name << ": " << session.plan.instances.size() << " instances, "
-              << session.plan.runs.size() << " runs, results in " << session.options.folder << '\n';
+  const std::string shard = session.options.shard.text();
+  session.out << "study " << session.study.name << (shard.empty() ? "" : ", shard " + shard) << ": "
+              << session.plan.instances.size() << " instances, " << session.plan.runs.size() << " runs, results in "
+              << session.options.folder << '\n';
   for (const std::string& note : session.plan.notes) session.out << "  " << note << '\n';
   for (const std::string& warning : timing_warnings(session.environment))
     session.out << "  warning: " << warning << '\n';
@@ -31,7 +52,8 @@ void adopt_optima(StudySession& session, const std::vector<Record>& records) {
   }
 }
 
-void print_results(const StudySession& session) {
+void print_results(const StudySession& session, const MachineWatch& watch) {
+  for (const std::string& warning : watch.warnings()) session.out << "  warning: " << warning << '\n';
   session.out << '\n';
   if (!session.folder.runs().empty()) session.out << summary_tables(session.folder.runs()) << '\n';
   if (session.outcome.interrupted) session.out << "interrupted; the same command with --resume runs the rest\n";
@@ -43,15 +65,17 @@ void print_results(const StudySession& session) {
 StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
   static_cast<void>(optimum_sources_for(catalogue, study.optimum_sources, kNoIndex));  // before the folder is made
   StudySession session(study, catalogue, options, out);
+  require_same_build(session);
   session.folder.append(session.environment);
   announce_plan(session);
   adopt_optima(session, session.folder.instances());
   adopt_optima(session, session.folder.runs());
-  const InterruptWatch watch;
+  const InterruptWatch interrupt_watch;
+  const MachineWatch machine_watch;
   seek_optima(session);
   execute_runs(session);
   session.outcome.interrupted = InterruptWatch::requested();
-  print_results(session);
+  print_results(session, machine_watch);
   return session.outcome;
 }
 

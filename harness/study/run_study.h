@@ -6,6 +6,7 @@
 #include <string>
 
 #include "harness/catalogue.h"
+#include "harness/study/plan.h"
 #include "harness/study/study.h"
 
 namespace mwt {
@@ -16,6 +17,8 @@ struct RunOptions {
   int jobs = 1;  ///< runs side by side; more than one disturbs times
   bool is_terminal = false;
   std::optional<std::string> cache_folder{};  ///< where proved optima are kept (harness/optimum_cache.h); none: nowhere
+  Shard shard{};
+  bool accepts_other_build = false;  ///< whether records of another build of this program may be continued
 };
 
 struct StudyOutcome {
@@ -33,7 +36,8 @@ struct StudyOutcome {
 /// runs found since, and, as an upper end, the run's own weight. Intervals that exclude each other make the row an
 /// error and are announced: one of the solvers is wrong.
 ///
-/// Throws InputError for everything that is wrong with the study or the folder, before anything is run.
+/// Throws InputError for everything that is wrong with the study or the folder, before anything is run: also if runs
+/// are missing in a folder whose runs were recorded by another build, for times and results of two are not one study.
 [[nodiscard]] StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const RunOptions& options,
                                      std::ostream& out);
 

@@ -139,6 +139,38 @@ TEST(RunStudy, AnotherStudySearchesNoOptimumAgain) {
   EXPECT_EQ(run_into("third", std::nullopt), "xxxx") << "without a cache";
 }
 
+TEST(RunStudy, OptimaThatRunsProveAreRemembered) {
+  const TemporaryFolder folder;
+  Study study = study_of({"fan_exact", "weak_bound", "well"}, "fan");
+  const auto run_into = [&](const std::string& name) {
+    std::ostringstream out;
+    return run_study(study, testing::test_catalogue(), {folder.path(name), false, 1, false, folder.path("optima")},
+                     out);
+  };
+  EXPECT_EQ(run_into("first").failures, 0u);
+  study.seeks_optimum = true;
+  study.optimum_sources = {{"fan_exact", {}, ""}};
+  EXPECT_EQ(run_into("second").failures, 0u);
+  EXPECT_NE(read_text(folder.path("second/instances.csv")).find(",cached\n"), std::string::npos);
+}
+
+TEST(RunStudy, RefusesToContinueWhatAnotherBuildBegan) {
+  const TemporaryFolder folder;
+  const Study study = study_of({"well", "chats"});
+  run(study, folder.path("out"));
+  StudyRecords records = read_records(folder.path("out"));
+  for (RunRecord& record : records.runs) record.binary_sha256 = "another";
+  write_records(folder.path("complete"), records);
+  EXPECT_EQ(run(study, folder.path("complete"), true).runs, 0u) << "nothing is missing";
+  records.runs.pop_back();
+  write_records(folder.path("begun"), records);
+  EXPECT_THROW(run(study, folder.path("begun"), true), InputError);
+  std::ostringstream out;
+  RunOptions options{folder.path("begun"), true};
+  options.accepts_other_build = true;
+  EXPECT_EQ(run_study(study, testing::test_catalogue(), options, out).runs, 1u);
+}
+
 // An entry that passes every check and is wrong all the same: an earlier version of a solver erred.
 TEST(RunStudy, ACachedOptimumThatExcludesAFreshOneIsReported) {
   const TemporaryFolder folder;

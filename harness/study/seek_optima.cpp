@@ -1,9 +1,7 @@
-#include <optional>
 #include <set>
 #include <utility>
 
 #include "geometry/error.h"
-#include "harness/optimum_cache.h"
 #include "harness/quality.h"
 #include "harness/study/optimum_search.h"
 #include "harness/study/study_session.h"
@@ -19,10 +17,13 @@ class OptimumPhase {
       : session_(session),
         progress_(session.out, session.options.is_terminal, "optima", session.plan.instances.size()),
         pool_(session.options.jobs) {
-    if (const auto& folder = session.options.cache_folder)
-      cache_.emplace(*folder, [this](const std::string& warning) { progress_.announce("warning: " + warning); });
+    session_.progress = &progress_;
     for (const InstanceRecord& record : session.folder.instances()) sought_.insert(record.instance_id);
   }
+
+  ~OptimumPhase() { session_.progress = nullptr; }
+  OptimumPhase(const OptimumPhase&) = delete;
+  OptimumPhase& operator=(const OptimumPhase&) = delete;
 
   void run() {
     for (const PlannedInstance& planned : session_.plan.instances) {
@@ -50,8 +51,8 @@ class OptimumPhase {
     const auto when_done = [this, &planned, instance](FoundOptimum found) {
       record(planned, *instance, std::move(found));
     };
-    seek_optimum(pool_, instance, sources_for(*instance), session_.study.optimum_limits, cache_ ? &*cache_ : nullptr,
-                 when_done);
+    OptimumCache* const cache = session_.cache ? &*session_.cache : nullptr;
+    seek_optimum(pool_, instance, sources_for(*instance), session_.study.optimum_limits, cache, when_done);
   }
 
   [[nodiscard]] std::vector<const AlgorithmInfo*> sources_for(const Instance& instance) const {
@@ -88,8 +89,8 @@ class OptimumPhase {
     record.study = session_.study.name;
     record.env_id = session_.environment.env_id;
     record.recorded_at = utc_now();
-    record.generator = planned.family->name;
-    record.generator_params = planned.parameters.canonical();
+    record.generator = planned.generator;
+    record.generator_params = planned.parameters;
     record.n = planned.n;
     record.seed = planned.seed;
     record.distinct = static_cast<Index>(instance.set.points.size());
@@ -100,7 +101,6 @@ class OptimumPhase {
 
   StudySession& session_;
   Progress progress_;
-  std::optional<OptimumCache> cache_;
   std::set<std::string> sought_;  // instance ids
   ProcessPool pool_;              // last: its processes end before what their results refer to
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "harness/study/instance_files.h"
 
 namespace mwt {
 
@@ -47,12 +48,14 @@ struct Study {
   std::string summary;
   std::string file_content;  ///< copied into the results
   std::vector<FamilyChoice> families;
+  InstanceFiles instance_files;
   std::vector<Index> sizes;
   std::vector<std::uint64_t> seeds = {1};
   std::vector<AlgorithmChoice> algorithms;
   int repetitions = 1;
   int threads = 1;
-  double min_time_s = 0.005;  ///< executions are repeated until they fill this: steady times for microsecond runs
+  double min_time_s = 0.005;        ///< executions are repeated until they fill this: steady times for microsecond runs
+  bool measures_yardstick = false;  ///< every run also times CGAL's Delaunay triangulation of its points
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;

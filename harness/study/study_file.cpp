@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <initializer_list>
 #include <utility>
@@ -74,6 +75,13 @@ class TableReader {
 
   void read_integer(const std::string& key, std::int64_t smallest, const std::function<void(std::int64_t)>& use) {
     if (const toml::node* node = find(key)) use(integer_of(*node, key, smallest));
+  }
+
+  void read_flag(const std::string& key, bool& value) {
+    const toml::node* node = find(key);
+    if (node == nullptr) return;
+    if (!node->is_boolean()) fail(*node, "'" + key + "' must be true or false");
+    value = node->ref<bool>();
   }
 
   void for_each_element(const std::string& key, const std::function<void(const toml::node&)>& use) {
@@ -198,15 +206,27 @@ void read_limits(TableReader& reader, RunLimits& limits) {
 
 void read_optimum(TableReader& reader, Study& study) {
   read_limits(reader, study.optimum_limits);
-  if (const toml::node* node = reader.find("seek")) {
-    if (!node->is_boolean()) reader.fail(*node, "'seek' must be true or false");
-    study.seeks_optimum = node->ref<bool>();
-  }
+  reader.read_flag("seek", study.seeks_optimum);
   for_each_choice(reader, "sources", "an optimum source", [&](TableReader& choice, const std::string& name) {
     std::optional<Index> largest_n;
     if (const toml::node* node = choice.find("largest_n")) largest_n = index_of(choice, *node, "largest_n");
     study.optimum_sources.push_back({name, largest_n, choice.place()});
   });
+}
+
+// The folder counts from that of the study file.
+void read_instances(TableReader& reader, InstanceFiles& files) {
+  namespace fs = std::filesystem;
+  files.place = reader.place();
+  const fs::path here = fs::path(reader.file()).parent_path();
+  const toml::node* folder = reader.find("folder");
+  const fs::path named = folder == nullptr ? fs::path(".") : fs::path(reader.text_of(*folder, "folder"));
+  files.folder = (here / named).lexically_normal().string();
+  reader.for_each_element("files", [&](const toml::node& node) {
+    files.patterns.push_back(reader.text_of(node, "files"));
+    if (fs::path(files.patterns.back()).is_absolute()) reader.fail(node, "'files' are within 'folder': no leading /");
+  });
+  if (files.patterns.empty()) throw InputError(reader.place() + ": [instances] needs the key 'files'");
 }
 
 void read_section(TableReader& reader, const std::string& key, const std::function<void(TableReader&)>& use) {
@@ -228,13 +248,16 @@ Study read_root(const std::string& path, const toml::table& root) {
   reader.read_integer("repetitions", 1, [&](std::int64_t count) { study.repetitions = static_cast<int>(count); });
   reader.read_integer("threads", 1, [&](std::int64_t count) { study.threads = static_cast<int>(count); });
   reader.read_positive("min_time_s", study.min_time_s);
+  reader.read_flag("yardstick", study.measures_yardstick);
   read_families(reader, study);
   read_algorithms(reader, study);
   read_section(reader, "limits", [&](TableReader& section) { read_limits(section, study.limits); });
+  read_section(reader, "instances", [&](TableReader& section) { read_instances(section, study.instance_files); });
   study.optimum_limits = study.limits;
   read_section(reader, "optimum", [&](TableReader& section) { read_optimum(section, study); });
   reader.refuse_unknown_keys();
-  if (study.families.empty()) throw InputError(path + ": 'families' is missing; [\"*\"] means all");
+  const bool has_instances = !study.families.empty() || !study.instance_files.patterns.empty();
+  if (!has_instances) throw InputError(path + ": 'families' is missing; [\"*\"] means all");
   if (study.algorithms.empty()) throw InputError(path + ": 'algorithms' is missing; [\"*\"] means all");
   return study;
 }

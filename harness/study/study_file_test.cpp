@@ -44,6 +44,10 @@ algorithms = [{ name = "tuned", parameters = { k = [1, 2], start = ["a", "b"] },
 repetitions = 3
 threads = 2
 min_time_s = 0.5
+yardstick = true
+[instances]
+folder = "points"
+files = ["*.tsp", "more/*.txt"]
 [limits]
 time_s = 7
 grace_s = 0.5
@@ -57,6 +61,9 @@ sources = ["x", { name = "y", largest_n = 12 }]
   EXPECT_EQ(study.families[2].parameters.at("sigma"), "0.5");
   EXPECT_EQ(study.families[1].sizes, std::vector<Index>{100});
   EXPECT_EQ(study.algorithms.size(), 4u);
+  EXPECT_TRUE(study.measures_yardstick);
+  EXPECT_TRUE(study.instance_files.folder.ends_with("/points")) << study.instance_files.folder;
+  EXPECT_EQ(study.instance_files.patterns, (std::vector<std::string>{"*.tsp", "more/*.txt"}));
   EXPECT_EQ(study.algorithms.front().largest_n, 50u);
   EXPECT_EQ(study.limits.memory_bytes, 100u << 20);
   EXPECT_EQ(study.optimum_limits.time_s, 9);
@@ -77,6 +84,10 @@ TEST(StudyFile, MistakesNameLineAndKey) {
   EXPECT_EQ(complaint(kMinimal + "min_time_s = nan\n"), "s.toml:5: 'min_time_s' must be a positive number");
   EXPECT_TRUE(complaint(kMinimal + "[limits]\ntimes = 1\n").starts_with("s.toml:6: [limits] has no key 'times'"));
   EXPECT_EQ(complaint(kMinimal + "limits = 1\n"), "s.toml:5: 'limits' must be a table");
+  EXPECT_EQ(complaint(kMinimal + "yardstick = 1\n"), "s.toml:5: 'yardstick' must be true or false");
+  EXPECT_EQ(complaint(kMinimal + "[instances]\nfolder = \"x\"\n"), "s.toml:5: [instances] needs the key 'files'");
+  EXPECT_EQ(complaint(kMinimal + "[instances]\nfiles = [\"/x\"]\n"),
+            "s.toml:6: 'files' are within 'folder': no leading /");
   EXPECT_EQ(complaint("name = \"s\"\nsummary = \"t\"\nfamilies = [1]\nalgorithms = [\"*\"]\n"),
             "s.toml:3: 'families' lists names or tables with a name");
 }

@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds kPatience{200};
 std::shared_ptr<const Instance> InstanceMaker::make(std::size_t position) {
   if (!last_ || position != last_position_) {
     const PlannedInstance& planned = plan_.instances[position];
-    last_ = std::make_shared<const Instance>(make_instance(planned.generate(), planned.label()));
+    last_ = std::make_shared<const Instance>(make_instance(planned.make_points(), planned.label()));
     last_position_ = position;
   }
   return last_;
@@ -26,10 +26,21 @@ StudySession::StudySession(const Study& the_study, const Catalogue& the_catalogu
       catalogue(the_catalogue),
       options(the_options),
       out(the_out),
-      plan(make_plan(study, catalogue)),
+      plan(part_of(make_plan(study, catalogue), options.shard)),
       folder(options.folder, study, options.resume),
-      environment(describe_environment(study.name, options.jobs)),
-      instances(plan) {}
+      environment(describe_environment(study.name, options.jobs, options.shard.text())),
+      instances(plan) {
+  if (!options.cache_folder) return;
+  cache.emplace(*options.cache_folder, [this](const std::string& warning) { announce("warning: " + warning); });
+}
+
+void StudySession::announce(const std::string& line) {
+  if (progress != nullptr) {
+    progress->announce(line);
+  } else {
+    out << "  " << line << '\n';
+  }
+}
 
 bool wait_for_room(ProcessPool& pool, Progress& progress) {
   while (pool.is_full() && !InterruptWatch::requested()) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <ostream>
 
 #include "harness/execution.h"
+#include "harness/optimum_cache.h"
 #include "harness/progress.h"
 #include "harness/study/known_optima.h"
 #include "harness/study/plan.h"
@@ -41,7 +43,12 @@ struct StudySession {
   const EnvironmentRecord environment;
   InstanceMaker instances;
   KnownOptima known;
+  std::optional<OptimumCache> cache;
   StudyOutcome outcome;
+  Progress* progress = nullptr;  ///< of the phase at work
+
+  /// A line for the user, above the progress line if there is one.
+  void announce(const std::string& line);
 };
 
 /// Seeks and records the optimum of every instance that has no row yet.

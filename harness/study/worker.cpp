@@ -4,6 +4,7 @@
 #include <new>
 
 #include "harness/quality.h"
+#include "harness/yardstick.h"
 
 namespace mwt {
 
@@ -44,10 +45,10 @@ void believe(RunRecord& record, const Execution& execution, const Judgement& jud
 
 }  // namespace
 
-RunRecord run_in_worker(const Request& request, const Instance& instance, RunRecord record, double min_time_s,
+RunRecord run_in_worker(const Request& request, const Instance& instance, RunRecord record, const Timing& timing,
                         double kill_after_s) {
   try {
-    const Execution execution = execute_repeatedly(request, instance.set.points, min_time_s);
+    const Execution execution = execute_repeatedly(request, instance.set.points, timing.min_time_s);
     if (execution.wall_time_s > kill_after_s) {
       fail(record, RunStatus::timeout, "ended after its limit and grace");
       return record;
@@ -58,6 +59,7 @@ RunRecord run_in_worker(const Request& request, const Instance& instance, RunRec
       fail(record, RunStatus::invalid_output, *judgement.violation);
     } else {
       believe(record, execution, judgement);
+      if (timing.yardstick) record.yardstick_time_s = yardstick_time_s(instance.set.points);
     }
   } catch (const NotApplicable& reason) {
     fail(record, RunStatus::not_applicable, reason.what());

@@ -8,11 +8,17 @@
 
 namespace mwt {
 
+/// How times are taken.
+struct Timing {
+  double min_time_s = 0.005;  ///< executions are repeated until they fill this
+  bool yardstick = false;     ///< whether the yardstick is measured too, after everything else
+};
+
 /// Executes, judges and fills in status, checker, message and the measures of `record`, whose other fields say what is
 /// run. optimum_lower and optimum_upper are what this run alone certifies. Never throws what an algorithm throws: that
 /// becomes a status. An execution longer than `kill_after_s` is a timeout although it has ended.
 [[nodiscard]] RunRecord run_in_worker(const Request& request, const Instance& instance, RunRecord record,
-                                      double min_time_s, double kill_after_s);
+                                      const Timing& timing, double kill_after_s);
 
 /// The record as it goes through the pipe, and back. An unreadable text gives nothing.
 [[nodiscard]] std::string encode(const RunRecord& record);

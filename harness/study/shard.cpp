@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+
+#include "geometry/error.h"
+#include "harness/study/plan.h"
+
+namespace mwt {
+
+namespace {
+
+// Positions of the instances, the small ones first: dealt out in this order, every size is spread over all shards.
+std::vector<std::size_t> by_size(const Plan& plan) {
+  std::vector<std::size_t> order(plan.instances.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return plan.instances[a].n < plan.instances[b].n; });
+  return order;
+}
+
+}  // namespace
+
+std::string Shard::text() const { return count == 1 ? "" : std::to_string(number) + '/' + std::to_string(count); }
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto [slash, number_error] = std::from_chars(text.data(), end, shard.number);
+  const bool has_both = number_error == std::errc() && slash != end && *slash == '/';
+  const auto [rest, count_error] = has_both ? std::from_chars(slash + 1, end, shard.count) : std::from_chars_result{};
+  const bool is_well_formed = has_both && count_error == std::errc() && rest == end;
+  if (!is_well_formed || shard.number < 1 || shard.number > shard.count) {
+    throw InputError("--shard " + text + ": must be i/N with 1 <= i <= N, such as 1/4");
+  }
+  return shard;
+}
+
+Plan part_of(const Plan& plan, const Shard& shard) {
+  const std::vector<std::size_t> order = by_size(plan);
+  std::vector<bool> is_ours(plan.instances.size(), false);
+  for (std::size_t rank = shard.number - 1; rank < order.size(); rank += shard.count) is_ours[order[rank]] = true;
+  Plan part;
+  part.notes = plan.notes;
+  std::vector<std::size_t> new_position(plan.instances.size());
+  for (std::size_t i = 0; i < plan.instances.size(); ++i) {
+    new_position[i] = part.instances.size();
+    if (is_ours[i]) part.instances.push_back(plan.instances[i]);
+  }
+  for (const PlannedRun& run : plan.runs) {
+    if (!is_ours[run.instance]) continue;
+    part.runs.push_back(run);
+    part.runs.back().instance = new_position[run.instance];
+  }
+  return part;
+}
+
+}  // namespace mwt

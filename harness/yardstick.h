@@ -1,0 +1,12 @@
+// The yardstick beside a run: what CGAL's Delaunay triangulation of the same points takes, here and now.
+#pragma once
+
+#include "geometry/point.h"
+
+namespace mwt {
+
+/// Median seconds of up to seven measure_yardstick_s(); fewer, but at least one, once half a second is spent.
+/// Preconditions as there.
+[[nodiscard]] double yardstick_time_s(Points points);
+
+}  // namespace mwt
