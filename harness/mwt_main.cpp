@@ -3,8 +3,8 @@
 #include "harness/commands/commands.h"
 
 int main(int argument_count, char** arguments) {
-  const std::array commands = {mwt::list_command(),  mwt::generate_command(), mwt::solve_command(),
-                               mwt::check_command(), mwt::run_command(),      mwt::merge_command(),
-                               mwt::track_command(), mwt::history_command()};
+  const std::array commands = {mwt::list_command(),    mwt::generate_command(), mwt::solve_command(),
+                               mwt::check_command(),   mwt::run_command(),      mwt::merge_command(),
+                               mwt::compare_command(), mwt::track_command(),    mwt::history_command()};
   return mwt::run_command_line(commands, argument_count, arguments);
 }

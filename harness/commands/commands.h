@@ -11,6 +11,7 @@ namespace mwt {
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command run_command();
 [[nodiscard]] Command merge_command();
+[[nodiscard]] Command compare_command();
 [[nodiscard]] Command track_command();
 [[nodiscard]] Command history_command();
 

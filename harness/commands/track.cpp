@@ -20,7 +20,8 @@ std::string word_for(History::Added added) {
   switch (added) {
     case History::Added::as_new: return "added";
     case History::Added::unchanged: return "known already";
-    case History::Added::replaced: return "replaced by its new values";
+    case History::Added::replaced: return "in place of older ones";
+    case History::Added::outdated: return "left out: newer ones are known";
   }
   return "";
 }

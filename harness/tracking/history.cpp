@@ -219,11 +219,13 @@ void History::make_tables() {
 
 History::Added History::add(const Night& night) {
   Transaction transaction(path_, database_, "BEGIN IMMEDIATE");
-  Statement find(path_, database_, "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ?");
+  Statement find(path_, database_,
+                 "SELECT id, recorded_at FROM night WHERE git_commit = ? AND environment = ? AND study = ?");
   find.bind(night.git_commit, night.environment, night.study);
   const std::vector<NightValue> values = sorted(night.values);
   const std::optional<std::int64_t> earlier = find.step() ? std::optional(find.integer(0)) : std::nullopt;
   if (earlier && same_values(values_of_night(path_, database_, *earlier), values)) return Added::unchanged;
+  if (earlier && night.recorded_at < find.text(1)) return Added::outdated;
   if (earlier) {
     Statement(path_, database_, "DELETE FROM value WHERE night = ?").bind(*earlier).step();
     Statement(path_, database_, "UPDATE night SET recorded_at = ? WHERE id = ?")

@@ -28,10 +28,11 @@ class History {
   History(const History&) = delete;
   History& operator=(const History&) = delete;
 
-  enum class Added { as_new, unchanged, replaced };
+  enum class Added { as_new, unchanged, replaced, outdated };
 
-  /// There is one night per commit, environment and study: the same again changes nothing, other values for it replace
-  /// those that were there (a night that was repeated or has gone on).
+  /// There is one night per commit, environment and study: the same again changes nothing; other values for it replace
+  /// those that were there (a night that was repeated or has gone on) unless they are older, so that the order in which
+  /// folders are tracked does not matter.
   Added add(const Night& night);
 
   /// All nights in the order of time, ties in that of their commits; values ordered by cell and measure.

@@ -58,6 +58,7 @@ TEST_F(HistoryFile, IsIdempotentPerCommitEnvironmentAndStudy) {
   other.values[3].value = 7;
   other.recorded_at = "2026-02-01";
   EXPECT_EQ(history.add(other), History::Added::replaced);
+  EXPECT_EQ(history.add(small_night(1)), History::Added::outdated);
   other.environment = "elsewhere";
   EXPECT_EQ(history.add(other), History::Added::as_new);
   const std::vector<Night> nights = history.nights();

@@ -33,7 +33,7 @@ struct SyntheticStudy {
 inline RunRecord synthetic_run(const SyntheticStudy& study, const std::string& algorithm, RandomEngine& engine) {
   RunRecord run;
   run.study = "synthetic";
-  run.env_id = "e";
+  run.env_id = "abacus";
   run.algorithm = algorithm;
   run.status = RunStatus::ok;
   run.checker = "ok";
@@ -86,7 +86,7 @@ inline std::vector<RunRecord> synthetic_runs(const SyntheticStudy& study, int ni
 
 inline EnvironmentRecord synthetic_environment(const std::string& cpu = "Abacus 2000") {
   EnvironmentRecord environment;
-  environment.env_id = "e";
+  environment.env_id = "abacus";
   environment.study = "synthetic";
   environment.cpu_model = cpu;
   environment.logical_cpus = 2;
