@@ -18,6 +18,7 @@ namespace {
 using Runs = std::vector<const RunRecord*>;
 using Repetitions = std::map<int, double>;  ///< logarithms of times
 
+constexpr const char* kAll = "all";            ///< the row of all algorithms
 constexpr std::size_t kCellsToTellSpread = 5;  ///< fewer do not show how differently two sessions treat a cell
 
 /// A cell that both sides have.
@@ -75,6 +76,15 @@ std::vector<double> values_of(const Repetitions& repetitions) {
   return values;
 }
 
+/// Whether every successful run was measured long enough for the ticks of CPU clocks, which may last milliseconds.
+bool has_steady_cpu_time(const Runs& runs) {
+  constexpr double kLongEnough = 0.01;
+  return std::all_of(runs.begin(), runs.end(), [](const RunRecord* run) {
+    if (run->status != RunStatus::ok) return true;
+    return run->wall_time_s.value_or(0) * static_cast<double>(run->iterations.value_or(1)) >= kLongEnough;
+  });
+}
+
 /// now - base for each repetition that both sides have.
 Repetitions paired_log_ratios(const TimedCell& cell) {
   Repetitions ratios;
@@ -122,13 +132,14 @@ class TimeTable {
     }
     std::vector<JudgedRow> rows;
     for (const auto& [algorithm, cells] : members) rows.push_back(algorithm_row(algorithm, cells));
-    if (members.size() > 1) rows.push_back(algorithm_row("all", all));
+    if (members.size() > 1) rows.push_back(algorithm_row(kAll, all));
     return decided(rows);
   }
 
  private:
   [[nodiscard]] JudgedRow cell_row(const TimedCell& cell) const {
     JudgedRow judged;
+    judged.row.name = cell.cell.algorithm;
     judged.row.algorithm = algorithm_label(cell.cell);
     judged.row.instance = instance_label(cell.cell);
     judged.row.base = std::exp(median(values_of(cell.base)));
@@ -148,6 +159,7 @@ class TimeTable {
   [[nodiscard]] JudgedRow algorithm_row(const std::string& algorithm, const std::vector<std::size_t>& members) const {
     const std::vector<double> observations = observations_of(members);
     JudgedRow judged;
+    judged.row.name = algorithm == kAll ? kAll : cells_[members.front()].cell.algorithm;
     judged.row.algorithm = algorithm;
     judged.row.observations = observations.size();
     judged.judgement = judge_log_ratios(observations, options_.threshold);
@@ -263,9 +275,10 @@ class Comparer {
       return has_time(relative, cell) || !has_time(wall, cell);
     });
     if (all_relative && !comparison_.options.paired) return relative;
-    const bool one_thread =
-        std::all_of(common_.begin(), common_.end(), [](const CommonCell& cell) { return cell.cell.threads == 1; });
-    return one_thread ? measure_named("cpu_time_s") : wall;
+    const bool by_cpu = std::all_of(common_.begin(), common_.end(), [](const CommonCell& cell) {
+      return cell.cell.threads == 1 && has_steady_cpu_time(cell.base) && has_steady_cpu_time(cell.now);
+    });
+    return by_cpu ? measure_named("cpu_time_s") : wall;
   }
 
   void compare_times() {
@@ -296,6 +309,7 @@ class Comparer {
     const auto after = typical(measure, cell.now);
     if (!before || !after) return;
     TimeRow row;
+    row.name = cell.cell.algorithm;
     row.algorithm = algorithm_label(cell.cell);
     row.instance = instance_label(cell.cell);
     row.observations = std::min(before->runs, after->runs);
@@ -325,9 +339,7 @@ class Comparer {
   Comparison comparison_;
 };
 
-bool any_regression(const std::vector<TimeRow>& rows) {
-  return std::any_of(rows.begin(), rows.end(), [](const TimeRow& row) { return row.verdict == Verdict::regression; });
-}
+bool is_regression(const TimeRow& row) { return row.verdict == Verdict::regression; }
 
 }  // namespace
 
@@ -341,9 +353,25 @@ std::string name_of(Verdict verdict) {
   return "";
 }
 
+bool Comparison::has_exact_regression() const {
+  return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) { return finding.is_regression; });
+}
+
 bool Comparison::has_regression() const {
-  const bool exact = std::any_of(findings.begin(), findings.end(), [](const Finding& f) { return f.is_regression; });
-  return exact || any_regression(algorithms) || any_regression(cells);
+  return has_exact_regression() || std::any_of(algorithms.begin(), algorithms.end(), is_regression) ||
+         std::any_of(cells.begin(), cells.end(), is_regression);
+}
+
+std::vector<std::string> Comparison::slower_algorithms() const {
+  std::set<std::string> slower, all;
+  for (const std::vector<TimeRow>* rows : {&algorithms, &cells}) {
+    for (const TimeRow& row : *rows) {
+      if (row.name != kAll) all.insert(row.name);
+      if (is_regression(row)) slower.insert(row.name);
+    }
+  }
+  const std::set<std::string>& chosen = slower.contains(kAll) ? all : slower;
+  return {chosen.begin(), chosen.end()};
 }
 
 Comparison compare(const ResultSet& base, const ResultSet& now, const CompareOptions& options) {

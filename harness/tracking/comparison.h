@@ -42,7 +42,8 @@ enum class Verdict { same, regression, improvement, identical_binary };
 
 /// How the times of some runs compare.
 struct TimeRow {
-  std::string algorithm;  ///< with its parameters; "all" for all of them
+  std::string name;       ///< of the algorithm; "all" for all of them
+  std::string algorithm;  ///< the same with its parameters
   std::string instance;   ///< empty for a row of an algorithm
   std::size_t observations = 0;
   double base = 0;  ///< median; 0 for rows of algorithms, whose cells are not alike
@@ -62,12 +63,17 @@ struct Comparison {
   std::vector<Finding> findings;
   std::size_t compared_cells = 0;
 
-  [[nodiscard]] bool has_regression() const;
+  [[nodiscard]] bool has_regression() const;        ///< of anything
+  [[nodiscard]] bool has_exact_regression() const;  ///< of quality, failures or memory
+
+  /// The names, without parameters, of the algorithms with a regression of time; all of them if the row "all" has one.
+  [[nodiscard]] std::vector<std::string> slower_algorithms() const;
 };
 
 /// Times are compared by the given measure, else: of paired results cpu_time_s (wall_time_s where several threads were
-/// allowed), which does not count the time that others took from the process; of folders relative_time if every cell
-/// has it, else again cpu_time_s or wall_time_s. Only repetitions that succeeded count.
+/// allowed, or a run was measured for less than 10 ms), which does not count the time that others took from the
+/// process; of folders relative_time if every cell has it, else again cpu_time_s or wall_time_s. Only repetitions that
+/// succeeded count.
 ///
 /// Cells whose runs all come from one and the same binary on both sides are reported as such and their times not
 /// judged. If the machines differ (machine_of()), no times are compared. Deterministic.

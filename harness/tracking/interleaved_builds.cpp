@@ -53,16 +53,29 @@ std::string study_of(const Study& study, const PlannedInstance& instance, const 
          "\n[optimum]\nseek = false\n";
 }
 
-/// Every cell that is to be run, as a study file.
-std::vector<std::string> cells_of(const Study& study, const Catalogue& catalogue) {
+void require_algorithms(const Plan& plan, const Study& study, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const bool has_it = std::any_of(plan.runs.begin(), plan.runs.end(),
+                                    [&](const PlannedRun& run) { return run.algorithm->name == name; });
+    if (!has_it) throw InputError("study '" + study.name + "' has no algorithm '" + name + "'");
+  }
+}
+
+/// Every cell that is to be run, as a study file. Only cells of `algorithms`, unless that is empty.
+std::vector<std::string> cells_of(const Study& study, const Catalogue& catalogue,
+                                  const std::vector<std::string>& algorithms) {
   const Plan plan = make_plan(study, catalogue);
+  require_algorithms(plan, study, algorithms);
+  const auto is_wanted = [&](const std::string& name) {
+    return algorithms.empty() || std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
+  };
   std::vector<std::string> cells;
   std::set<std::string> known;
   for (const PlannedRun& run : plan.runs) {
     const PlannedInstance& instance = plan.instances[run.instance];
     if (instance.generator == kFileGenerator)
       throw InputError("study '" + study.name + "' reads point files; builds are compared on families only");
-    if (instance.n > run.largest_n) continue;
+    if (instance.n > run.largest_n || !is_wanted(run.algorithm->name)) continue;
     std::string cell = study_of(study, instance, run);
     if (known.insert(cell).second) cells.push_back(std::move(cell));
   }
@@ -149,7 +162,7 @@ void shuffle_cells(std::vector<std::string>& cells, RandomEngine& engine) {
 
 bool run_interleaved(const Study& study, const Catalogue& catalogue, const InterleavedOptions& options,
                      std::ostream& out) {
-  std::vector<std::string> cells = cells_of(study, catalogue);
+  std::vector<std::string> cells = cells_of(study, catalogue, options.algorithms);
   Side base(options.build_a, (fs::path(options.folder) / "base").string(), study);
   Side now(options.build_b, (fs::path(options.folder) / "new").string(), study);
   const ScratchFolder scratch;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "harness/catalogue.h"
 #include "harness/study/study.h"
@@ -13,7 +14,8 @@ namespace mwt {
 struct InterleavedOptions {
   std::string build_a;  ///< a folder with the program `mwt`, or the program itself
   std::string build_b;
-  std::string folder;  ///< gets the results: FOLDER/base and FOLDER/new
+  std::string folder;                   ///< gets the results: FOLDER/base and FOLDER/new
+  std::vector<std::string> algorithms;  ///< only these of the study; empty: all
   int repetitions = 20;
   std::uint64_t seed = 1;  ///< of the order
   bool is_terminal = false;
@@ -28,7 +30,7 @@ struct InterleavedOptions {
 /// False if interrupted: the results are then those of the complete repetitions and a part of the next.
 ///
 /// Throws InputError: no such program; it fails (with the end of what it said); the folder holds something already; the
-/// study takes instances from files.
+/// study has not all of `algorithms`, or takes instances from files.
 [[nodiscard]] bool run_interleaved(const Study& study, const Catalogue& catalogue, const InterleavedOptions& options,
                                    std::ostream& out);
 

@@ -44,7 +44,9 @@ std::optional<double> failure(const RunRecord& run) {
 
 std::vector<Measure> make_measures() {
   const auto wall = [](const RunRecord& run) { return if_ok(run, run.wall_time_s); };
-  const auto cpu = [](const RunRecord& run) { return if_ok(run, run.cpu_time_s); };
+  const auto cpu = [](const RunRecord& run) {
+    return run.cpu_time_s > 0.0 ? if_ok(run, run.cpu_time_s) : std::nullopt;
+  };
   return {
       {"relative_time", "", Aspect::time, false, relative_time},
       {"wall_time_s", "s", Aspect::time, false, wall},

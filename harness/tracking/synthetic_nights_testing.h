@@ -39,6 +39,7 @@ inline RunRecord synthetic_run(const SyntheticStudy& study, const std::string& a
   run.checker = "ok";
   run.wall_time_s = 0.001 * static_cast<double>(algorithm.size()) * std::exp(study.noise * standard_normal(engine));
   run.cpu_time_s = run.wall_time_s;
+  run.iterations = 50;
   if (study.has_yardstick) run.yardstick_time_s = 0.002;
   run.peak_rss_bytes = 10'000'000 + 4096 * uniform_below(engine, 20);
   const double weight = 100 + static_cast<double>(algorithm.size());
