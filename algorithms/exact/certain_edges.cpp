@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "algorithms/exact/by_direction.h"
 #include "algorithms/exact/search_stopped.h"
 #include "geometry/predicates.h"
 #include "geometry/triangulation.h"
@@ -15,30 +16,6 @@ namespace mwt {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-
-// Counter-clockwise from the direction of the x axis; equal directions by distance.
-class ByDirection {
- public:
-  ByDirection(Points points, Index center) : points_(points), center_(points[center]) {}
-
-  bool operator()(Index a, Index b) const {
-    const bool a_is_below = is_below(points_[a]), b_is_below = is_below(points_[b]);
-    if (a_is_below != b_is_below) return b_is_below;
-    const int turn = orientation(center_, points_[a], points_[b]);
-    if (turn != 0) return turn > 0;
-    return a != b && in_segment_interior(points_[a], center_, points_[b]);
-  }
-
-  [[nodiscard]] bool is_same_direction(Index a, Index b) const {
-    return orientation(center_, points_[a], points_[b]) == 0 && is_below(points_[a]) == is_below(points_[b]);
-  }
-
- private:
-  bool is_below(const Point& p) const { return p.y < center_.y || (p.y == center_.y && p.x < center_.x); }
-
-  Points points_;
-  Point center_;
-};
 
 class Marking {
  public:
@@ -139,13 +116,18 @@ class Marking {
     return true;
   }
 
+  void look_at_the_clock() const {
+    if (context_.deadline_passed()) throw SearchStopped("the deadline passed while marking certain edges");
+  }
+
   void mark_edges_from_smaller_end(Index s) {
-    constexpr Index kVerticesPerLookAtTheClock = 64;
-    if (s % kVerticesPerLookAtTheClock == 0 && context_.deadline_passed()) {
-      throw SearchStopped("the deadline passed while marking certain edges");
-    }
+    constexpr Index kVerticesPerLook = 64;
+    constexpr std::uint32_t kLargeStar = 128;
+    if (s % kVerticesPerLook == 0) look_at_the_clock();
+    const bool is_large = graph_.first[s + std::size_t{1}] - graph_.first[s] > kLargeStar;
     for (std::uint32_t i = graph_.first[s]; i < graph_.first[s + std::size_t{1}]; ++i) {
       const Index t = graph_.target[i];
+      if (is_large) look_at_the_clock();
       if (s < t && is_certain(s, t)) graph_.certain[i] = 1;
     }
   }

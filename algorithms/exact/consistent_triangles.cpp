@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "geometry/predicates.h"
@@ -43,7 +44,8 @@ class Consistency {
   }
 
  private:
-  using Side = std::uint32_t;  // 3 * triangle + opposite corner
+  using Side = std::uint32_t;                // 3 * triangle + opposite corner
+  using FiledSide = std::pair<Index, Side>;  // with the second end of its directed edge
   static constexpr Side kNone = 0xFFFFFFFF;
 
   [[nodiscard]] Edge edge_of(Side side) const {
@@ -51,29 +53,42 @@ class Consistency {
   }
   [[nodiscard]] const Point& apex_of(Side side) const { return points_[triangles_[side / 3][side % 3]]; }
 
-  // All sides, sorted by their directed edge.
+  // All sides, sorted by their directed edge: counted by its first end, then sorted by the second.
   void file_sides() {
-    sides_.resize(3 * triangles_.size());
-    for (Side side = 0; side < sides_.size(); ++side) sides_[side] = side;
-    std::sort(sides_.begin(), sides_.end(),
-              [&](Side a, Side b) { return std::pair(edge_of(a), a) < std::pair(edge_of(b), b); });
+    first_of_.assign(points_.size() + 1, 0);
+    for (Side side = 0; side < next_.size(); ++side) ++first_of_[edge_of(side).a + 1];
+    std::partial_sum(first_of_.begin(), first_of_.end(), first_of_.begin());
+    filed_.resize(next_.size());
+    std::vector<std::uint32_t> next(first_of_.begin(), first_of_.end() - 1);
+    for (Side side = 0; side < next_.size(); ++side) {
+      const Edge edge = edge_of(side);
+      filed_[next[edge.a]++] = {edge.b, side};
+    }
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+      std::sort(filed_.begin() + first_of_[v], filed_.begin() + first_of_[v + 1]);
+    }
+  }
+
+  // The places of the sides that are this directed edge.
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> places_of(const Edge& edge) const {
+    const auto begin = filed_.begin() + first_of_[edge.a];
+    const auto end = filed_.begin() + first_of_[edge.a + 1];
+    const auto [from, to] = std::equal_range(
+        begin, end, FiledSide{edge.b, 0}, [](const auto& one, const auto& other) { return one.first < other.first; });
+    return {static_cast<std::uint32_t>(from - filed_.begin()), static_cast<std::uint32_t>(to - filed_.begin())};
   }
 
   // For each side the range of sides on its other side; an empty range that starts at kNone on the boundary.
   void match_sides(std::span<const Edge> boundary) {
     std::vector<Edge> sorted_boundary(boundary.begin(), boundary.end());
     std::sort(sorted_boundary.begin(), sorted_boundary.end());
-    for (std::size_t i = 0; i < sides_.size();) {
-      const Edge edge = edge_of(sides_[i]);
-      const auto by_edge = [&](Side side, const Edge& wanted) { return edge_of(side) < wanted; };
-      const Edge reverse{edge.b, edge.a};
-      const auto from = std::lower_bound(sides_.begin(), sides_.end(), reverse, by_edge);
-      auto to = from;
-      while (to != sides_.end() && edge_of(*to) == reverse) ++to;
+    for (std::size_t i = 0; i < filed_.size();) {
+      const Edge edge = edge_of(filed_[i].second);
+      const auto [from, to] = places_of({edge.b, edge.a});
       const bool is_boundary = std::binary_search(sorted_boundary.begin(), sorted_boundary.end(), edge);
-      for (; i < sides_.size() && edge_of(sides_[i]) == edge; ++i) {
-        next_[sides_[i]] = is_boundary ? kNone : static_cast<std::uint32_t>(from - sides_.begin());
-        end_[sides_[i]] = static_cast<std::uint32_t>(to - sides_.begin());
+      for (; i < filed_.size() && edge_of(filed_[i].second) == edge; ++i) {
+        next_[filed_[i].second] = is_boundary ? kNone : from;
+        end_[filed_[i].second] = to;
       }
     }
   }
@@ -82,7 +97,7 @@ class Consistency {
   void find_support(Side side) {
     if (next_[side] == kNone || is_dropped_[side / 3]) return;
     for (std::uint32_t& i = next_[side]; i < end_[side]; ++i) {
-      const Side across = sides_[i];
+      const Side across = filed_[i].second;
       if (is_dropped_[across / 3] || !fit(side, across)) continue;
       next_supported_[side] = supported_[across / 3];
       supported_[across / 3] = side;
@@ -104,8 +119,9 @@ class Consistency {
   Points points_;
   std::span<const Triangle> triangles_;
   std::vector<bool> is_dropped_;
-  std::vector<Side> sides_;
-  std::vector<std::uint32_t> next_;  // by side: position in sides_ of its present support
+  std::vector<FiledSide> filed_;
+  std::vector<std::uint32_t> first_of_;  // sides from v: filed_[first_of_[v]] .. filed_[first_of_[v + 1]]
+  std::vector<std::uint32_t> next_;      // by side: place in filed_ of its present support
   std::vector<std::uint32_t> end_;
   std::vector<Side> supported_;       // by triangle: head of the list of sides that it supports
   std::vector<Side> next_supported_;  // by side

@@ -6,35 +6,13 @@
 
 #include "algorithms/exact/stage_testing.h"
 #include "algorithms/solver_testing.h"
+#include "algorithms/triangle_lp/empty_triangles.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
 namespace {
 
 using stage_testing::instances_of_all_families;
-
-// All empty counter-clockwise triangles, smallest corner first.
-std::vector<Triangle> empty_triangles(Points points) {
-  std::vector<Triangle> triangles;
-  const auto n = static_cast<Index>(points.size());
-  const auto is_empty = [&](const Triangle& t) {
-    for (Index p = 0; p < n; ++p) {
-      const bool is_corner = std::find(t.begin(), t.end(), p) != t.end();
-      if (!is_corner && in_closed_triangle(points[p], points[t[0]], points[t[1]], points[t[2]])) return false;
-    }
-    return true;
-  };
-  for (Index a = 0; a < n; ++a) {
-    for (Index b = a + 1; b < n; ++b) {
-      for (Index c = a + 1; c < n; ++c) {
-        const Triangle triangle{a, b, c};
-        if (c == b || orientation(points[a], points[b], points[c]) <= 0) continue;
-        if (is_empty(triangle)) triangles.push_back(triangle);
-      }
-    }
-  }
-  return triangles;
-}
 
 std::vector<Edge> hull_boundary(Points points) {
   const std::vector<Index> hull = convex_hull(points);

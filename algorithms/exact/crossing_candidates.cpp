@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <limits>
 
@@ -50,6 +51,7 @@ class CrossingSearch {
  public:
   explicit CrossingSearch(const CandidateGraph& graph)
       : graph_(graph), groups_((static_cast<Index>(graph.points.size()) + kGroup - 1) / kGroup) {
+    collect_certain_edges();
     leaves_ = std::bit_ceil(groups_);
     boxes_.assign(2 * std::size_t{leaves_}, empty_box());
     tbb::parallel_for(Index{0}, groups_, [&](Index group) { boxes_[leaves_ + group] = box_of_group(group); });
@@ -83,14 +85,26 @@ class CrossingSearch {
     return std::min((group + 1) * kGroup, static_cast<Index>(graph_.points.size()));
   }
 
+  void collect_certain_edges() {
+    first_.push_back(0);
+    for (Index a = 0; a < graph_.points.size(); ++a) {
+      for (std::uint32_t i = graph_.first[a]; i < graph_.first[a + std::size_t{1}]; ++i) {
+        if (graph_.certain[i] != 0 && a < graph_.target[i]) later_end_.push_back(graph_.target[i]);
+      }
+      first_.push_back(static_cast<std::uint32_t>(later_end_.size()));
+    }
+  }
+
+  [[nodiscard]] std::span<const Index> later_ends(Index a) const {
+    return std::span(later_end_).subspan(first_[a], first_[a + std::size_t{1}] - first_[a]);
+  }
+
   // Of its points and the certain edges from them to later ones.
   [[nodiscard]] Box box_of_group(Index group) const {
     Box box = empty_box();
     for (Index a = group * kGroup; a < end_of(group); ++a) {
       include(box, graph_.points[a]);
-      for (std::uint32_t i = graph_.first[a]; i < graph_.first[a + std::size_t{1}]; ++i) {
-        if (graph_.certain[i] != 0 && a < graph_.target[i]) include(box, graph_.points[graph_.target[i]]);
-      }
+      for (const Index b : later_ends(a)) include(box, graph_.points[b]);
     }
     return box;
   }
@@ -102,9 +116,8 @@ class CrossingSearch {
       const Point& r = graph_.points[a];
       if (a == u || a == v) continue;
       if (meet(box, box_of(r, r)) && in_segment_interior(r, p, q)) return true;
-      for (std::uint32_t i = graph_.first[a]; i < graph_.first[a + std::size_t{1}]; ++i) {
-        const Index b = graph_.target[i];
-        if (graph_.certain[i] == 0 || b < a || b == u || b == v) continue;
+      for (const Index b : later_ends(a)) {
+        if (b == u || b == v) continue;
         const Point& s = graph_.points[b];
         if (meet(box, box_of(r, s)) && segments_cross(p, q, r, s)) return true;
       }
@@ -115,37 +128,66 @@ class CrossingSearch {
   const CandidateGraph& graph_;
   std::uint32_t groups_;
   std::uint32_t leaves_ = 1;
-  std::vector<Box> boxes_;  // by node: node i has children 2i and 2i + 1
+  std::vector<std::uint32_t> first_;
+  std::vector<Index> later_end_;  // of the certain edges from their earlier ends
+  std::vector<Box> boxes_;        // by node: node i has children 2i and 2i + 1
 };
+
+// Takes out the values at these positions, which are ascending.
+template <class Value>
+void close_gaps(std::vector<Value>& values, const std::vector<std::uint32_t>& positions) {
+  if (positions.empty()) return;
+  auto end = values.begin() + positions.front();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto from = values.begin() + positions[i] + 1;
+    const auto to = i + 1 < positions.size() ? values.begin() + positions[i + 1] : values.end();
+    end = std::move(from, to, end);
+  }
+  values.erase(end, values.end());
+}
 
 }  // namespace
 
-std::vector<Edge> find_crossing_candidates(const CandidateGraph& graph, std::span<const Edge> suspects) {
-  if (suspects.empty()) return {};
+std::optional<std::vector<Edge>> find_crossing_candidates(
+    const CandidateGraph& graph, std::span<const Edge> suspects,
+    const std::optional<std::chrono::steady_clock::time_point>& deadline) {
+  constexpr std::size_t kSuspectsPerLookAtTheClock = 64;
+  std::vector<Edge> crossing;
+  if (suspects.empty()) return crossing;
   const CrossingSearch search(graph);
   std::vector<std::uint8_t> is_crossed(suspects.size());
-  tbb::parallel_for(std::size_t{0}, suspects.size(),
-                    [&](std::size_t i) { is_crossed[i] = search.is_crossed(suspects[i].a, suspects[i].b) ? 1 : 0; });
-  std::vector<Edge> crossing;
+  std::atomic<bool> is_late = false;
+  tbb::parallel_for(std::size_t{0}, suspects.size(), [&](std::size_t i) {
+    const bool looks = deadline && i % kSuspectsPerLookAtTheClock == 0;
+    if (looks && std::chrono::steady_clock::now() >= *deadline) is_late = true;
+    if (!is_late) is_crossed[i] = search.is_crossed(suspects[i].a, suspects[i].b) ? 1 : 0;
+  });
+  if (is_late) return {};
   for (std::size_t i = 0; i < suspects.size(); ++i) {
     if (is_crossed[i] != 0) crossing.push_back(suspects[i]);
   }
   return crossing;
 }
 
-CandidateGraph without_edges(const CandidateGraph& graph, const std::vector<Edge>& edges) {
-  CandidateGraph result;
-  result.points = graph.points;
-  result.first.push_back(0);
-  for (Index v = 0; v < graph.points.size(); ++v) {
-    for (std::uint32_t i = graph.first[v]; i < graph.first[v + std::size_t{1}]; ++i) {
-      if (std::binary_search(edges.begin(), edges.end(), make_edge(v, graph.target[i]))) continue;
-      result.target.push_back(graph.target[i]);
-      result.certain.push_back(graph.certain[i]);
-    }
-    result.first.push_back(static_cast<std::uint32_t>(result.target.size()));
+void remove_edges(CandidateGraph& graph, std::span<const Edge> edges) {
+  std::vector<std::uint32_t> removed;  // halfedges
+  const auto note = [&](Index from, Index to) {
+    const auto star = graph.star(from);
+    const auto place = std::find(star.begin(), star.end(), to);
+    if (place != star.end()) removed.push_back(graph.first[from] + static_cast<std::uint32_t>(place - star.begin()));
+  };
+  for (const Edge& edge : edges) {
+    note(edge.a, edge.b);
+    note(edge.b, edge.a);
   }
-  return result;
+  std::sort(removed.begin(), removed.end());
+  close_gaps(graph.target, removed);
+  close_gaps(graph.certain, removed);
+  std::size_t before = 0;
+  for (std::uint32_t& first : graph.first) {
+    while (before < removed.size() && removed[before] < first) ++before;
+    first -= static_cast<std::uint32_t>(before);
+  }
 }
 
 }  // namespace mwt

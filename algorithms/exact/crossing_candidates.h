@@ -1,6 +1,8 @@
 // Finds candidates that leave the faces of the certain edges.
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,10 +18,12 @@ namespace mwt {
 ///
 /// Exact. A search for each candidate in a tree of boxes over the points in their order: O(log n) for short ones if
 /// neighbours in the order are neighbours in the plane. Runs on the threads of the enclosing task arena; the result
-/// does not depend on them.
-[[nodiscard]] std::vector<Edge> find_crossing_candidates(const CandidateGraph& graph, std::span<const Edge> suspects);
+/// does not depend on them. Nothing if the deadline passes.
+[[nodiscard]] std::optional<std::vector<Edge>> find_crossing_candidates(
+    const CandidateGraph& graph, std::span<const Edge> suspects,
+    const std::optional<std::chrono::steady_clock::time_point>& deadline = {});
 
-/// The graph without `edges`, which are ascending. O(graph log edges).
-[[nodiscard]] CandidateGraph without_edges(const CandidateGraph& graph, const std::vector<Edge>& edges);
+/// Deletes `edges`, which stand in the graph. O(graph) moves of memory and the stars of their ends.
+void remove_edges(CandidateGraph& graph, std::span<const Edge> edges);
 
 }  // namespace mwt

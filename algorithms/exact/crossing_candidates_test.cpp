@@ -51,7 +51,7 @@ TEST(CrossingCandidates, AreFoundByDefinition) {
     for (const Edge& edge : candidates) {
       if (crosses_any(points, edge, certain)) expected.push_back(edge);
     }
-    EXPECT_EQ(find_crossing_candidates(graph, candidates), expected);
+    EXPECT_EQ(find_crossing_candidates(graph, candidates).value(), expected);
   }
 }
 
@@ -60,18 +60,39 @@ TEST(CrossingCandidates, IncludeThoseThroughIsolatedPoints) {
   const std::vector<Edge> edges{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 3}, {2, 4}, {3, 4}};
   const CandidateGraph graph = naive::make_graph(points, edges, naive::hull_edges(points));
   const std::vector<Edge> suspects{{0, 2}, {0, 4}, {1, 4}};
-  EXPECT_EQ(find_crossing_candidates(graph, suspects), (std::vector<Edge>{{0, 2}}));
+  EXPECT_EQ(find_crossing_candidates(graph, suspects).value(), (std::vector<Edge>{{0, 2}}));
+  EXPECT_FALSE(find_crossing_candidates(graph, suspects, std::chrono::steady_clock::now()));
 }
 
 TEST(CrossingCandidates, AreDeletedFromBothStars) {
   const std::vector<Point> points{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
-  const CandidateGraph graph = naive::make_graph(points, naive::possible_edges(points), naive::hull_edges(points));
-  const CandidateGraph less = without_edges(graph, {{0, 2}});
+  CandidateGraph less = naive::make_graph(points, naive::possible_edges(points), naive::hull_edges(points));
+  remove_edges(less, std::vector<Edge>{{0, 2}});
   const std::vector<Edge> rest{{0, 1}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
   const CandidateGraph expected = naive::make_graph(points, rest, naive::hull_edges(points));
   EXPECT_EQ(less.first, expected.first);
   EXPECT_EQ(less.target, expected.target);
   EXPECT_EQ(less.certain, expected.certain);
+}
+
+TEST(CrossingCandidates, AreDeletedOneByOneAsAllAtOnce) {
+  for (const auto& [name, points] : instances_of_all_families({12, 40})) {
+    SCOPED_TRACE(name);
+    const std::vector<Edge> edges = naive::possible_edges(points);
+    const std::set<Edge> hull = naive::hull_edges(points);
+    std::vector<Edge> removed, rest;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      (i % 3 == 0 && !hull.contains(edges[i]) ? removed : rest).push_back(edges[i]);
+    }
+    CandidateGraph less = naive::make_graph(points, edges, hull);
+    remove_edges(less, removed);
+    const CandidateGraph expected = naive::make_graph(points, rest, hull);
+    EXPECT_EQ(less.first, expected.first);
+    EXPECT_EQ(less.certain, expected.certain);
+    for (Index v = 0; v < points.size(); ++v) {
+      EXPECT_TRUE(std::ranges::is_permutation(less.star(v), expected.star(v)));
+    }
+  }
 }
 
 // The face solver deletes them by itself, whether they lead out of their faces or cut across a notch of one.

@@ -147,6 +147,12 @@ TEST(DiamondCandidates, AreFewOnUniformPoints) {
   EXPECT_LT(per_point, 13);
 }
 
+// Floats do not tell on which side of an edge the points between its ends lie.
+TEST(DiamondCandidates, AreFewOnNearlyCollinearPoints) {
+  const KdOrder order = make_kd_order(generate("near_collinear", 1000, 1));
+  EXPECT_LT(edges_in(diamond_candidates(order)).size(), 8'000);
+}
+
 TEST(DiamondCandidates, AreFiledByBlocks) {
   const KdOrder order = make_kd_order(generate("uniform", 20'000, 2));
   const CandidateBlocks blocks = diamond_candidates(order);

@@ -156,14 +156,29 @@ struct ScaledEdge {
   float square;
 };
 
-// Whether one of the near points in the lanes of `suspects` lies exactly on segment pq.
-bool is_occluded(const CandidateSearch& search, int first_place, std::uint64_t suspects, Index p, Index q) {
-  for (; suspects != 0; suspects &= suspects - 1) {
-    const auto place = static_cast<std::size_t>(first_place + __builtin_ctzll(suspects));
-    if (in_segment_interior({search.near.x[place], search.near.y[place]}, search.points[p], search.points[q]))
-      return true;
+// What near points too close to the line through an edge for floats do to it.
+struct ExactView {
+  bool is_occluded = false;  // one of them lies on the edge
+  bool blocks_left = false;
+  bool blocks_right = false;
+};
+
+// `suspects`: lanes with points whose distance from the line through pq is uncertain; `low`: those of them that surely
+// lie under the roof of the triangle on their side, whichever that is.
+ExactView look_exactly(const CandidateSearch& search, int first_place, std::uint64_t suspects, std::uint64_t low,
+                       Index p, Index q) {
+  ExactView view;
+  for (; suspects != 0 && !view.is_occluded; suspects &= suspects - 1) {
+    const int lane = __builtin_ctzll(suspects);
+    const auto place = static_cast<std::size_t>(first_place + lane);
+    const Point point{search.near.x[place], search.near.y[place]};
+    const int side = orientation(search.points[p], search.points[q], point);
+    const bool is_low = ((low >> lane) & 1U) != 0;
+    view.blocks_left |= is_low && side > 0;
+    view.blocks_right |= is_low && side < 0;
+    view.is_occluded = side == 0 && in_segment_interior(point, search.points[p], search.points[q]);
   }
-  return false;
+  return view;
 }
 
 HWY_INLINE std::uint64_t bits_of(hn::Mask<Float> mask) {
@@ -183,6 +198,7 @@ HWY_INLINE bool is_excluded(const CandidateSearch& search, const View& view, con
   const auto tangent = hn::Set(kFloat, static_cast<float>(kTangentOfDiamondAngle));
   const float length = std::sqrt(edge.square) * 1.0001F;
   auto left = hn::FirstN(kFloat, 0), right = left;
+  bool blocks_left = false, blocks_right = false;
   for (int leaf = 0; leaf < near.leaves && near.distance[static_cast<std::size_t>(leaf)] < length; ++leaf) {
     const int end = (leaf + 1) * static_cast<int>(KdOrder::kLargestLeaf);
     for (int i = leaf * static_cast<int>(KdOrder::kLargestLeaf); i < end; i += lanes) {
@@ -195,9 +211,16 @@ HWY_INLINE bool is_excluded(const CandidateSearch& search, const View& view, con
       const auto depth = hn::Neg(height);
       right = hn::Or(right, hn::And(hn::Gt(depth, margin), hn::Lt(depth, roof)));
       const auto suspects = hn::And(hn::Le(hn::Abs(height), margin), hn::Gt(nearer_end, hn::Zero(kFloat)));
-      if (!hn::AllFalse(kFloat, suspects) && is_occluded(search, i, bits_of(suspects), p, q)) return true;
+      if (hn::AllFalse(kFloat, suspects)) continue;
+      // Twice the margin under the roof: what is uncertain about the height does not matter there.
+      const ExactView exact = look_exactly(search, i, bits_of(suspects), bits_of(hn::Gt(roof, margin)), p, q);
+      if (exact.is_occluded) return true;
+      blocks_left |= exact.blocks_left;
+      blocks_right |= exact.blocks_right;
     }
-    if (!hn::AllFalse(kFloat, left) && !hn::AllFalse(kFloat, right)) return true;
+    blocks_left |= !hn::AllFalse(kFloat, left);
+    blocks_right |= !hn::AllFalse(kFloat, right);
+    if (blocks_left && blocks_right) return true;
   }
   return false;
 }

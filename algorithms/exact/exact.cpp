@@ -2,6 +2,7 @@
 
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <new>
 #include <optional>
 
@@ -13,7 +14,9 @@
 #include "algorithms/exact/lmt_skeleton.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
+#include "algorithms/flip/flip.h"
 #include "geometry/convex_hull.h"
+#include "geometry/weight.h"
 
 namespace mwt {
 
@@ -25,15 +28,15 @@ class ExactSolver {
 
   Solution run() {
     try {
-      const CandidateGraph graph = candidates();
+      CandidateGraph graph = candidates();
       const ScopedPhase phase(context_, "faces");
-      const FaceSolution faces = solve_faces(graph, context_);
+      const FaceSolution faces = solve_faces(std::move(graph), context_);
       count(faces);
       return make_solution(faces);
-    } catch (const SearchStopped&) {
-      return give_up();
+    } catch (const SearchStopped& stopped) {
+      return give_up(stopped.lower_bound);
     } catch (const std::bad_alloc&) {
-      return give_up();
+      return give_up(0);
     }
   }
 
@@ -117,18 +120,28 @@ class ExactSolver {
     }
     solution.optimum = faces.optimum;
     solution.counters = counters_;
-    solution.stopped_early = faces.unsolved_faces > 0;
+    if (faces.unsolved_faces > 0) improve_by_flips(solution);
     return solution;
   }
 
-  Solution give_up() const {
+  Solution give_up(double lower_bound) const {
     BoundedTriangulation bounded = delaunay_with_lower_bound(points_);
     Solution solution;
     solution.triangulation = std::move(bounded.triangulation);
     solution.optimum = bounded.optimum;
+    solution.optimum->lower = std::max(bounded.optimum.lower, lower_bound);
     solution.counters = counters_;
-    solution.stopped_early = true;
+    improve_by_flips(solution);
     return solution;
+  }
+
+  // Where parts are left unsolved, flips bring a Delaunay triangulation near to the optimum for little time.
+  void improve_by_flips(Solution& solution) const {
+    PlanarMesh mesh(points_, solution.triangulation);
+    flip_to_local_optimum(mesh, FlipOrder::stack, Context{});
+    solution.triangulation = mesh.triangulation();
+    solution.optimum->upper = weight(points_, solution.triangulation).upper;
+    solution.stopped_early = true;
   }
 
   void report_stage(const char* stage, double done) const {

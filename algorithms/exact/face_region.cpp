@@ -191,14 +191,17 @@ LengthSum diagonals_length(Points points, const FaceRegion& region, const std::v
   return sum;
 }
 
-double lower_bound_of_diagonals(Points points, const FaceRegion& region) {
-  std::vector<Edge> edges = region.candidates;
-  const std::size_t count = std::min(region.diagonal_count(), edges.size());
+Interval shortest_edges_length(Points points, std::vector<Edge> edges, std::size_t count) {
+  count = std::min(count, edges.size());
   const auto is_shorter = [&](const Edge& e, const Edge& f) { return compare_edge_lengths(points, e, f) < 0; };
   std::nth_element(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(count), edges.end(), is_shorter);
   LengthSum sum;
   for (const Edge& edge : std::span(edges).first(count)) sum.add(points[edge.a], points[edge.b]);
-  return sum.enclosure().lower;
+  return sum.enclosure();
+}
+
+double lower_bound_of_diagonals(Points points, const FaceRegion& region) {
+  return shortest_edges_length(points, region.candidates, region.diagonal_count()).lower;
 }
 
 }  // namespace mwt

@@ -42,6 +42,9 @@ using Walk = std::vector<Corner>;
 [[nodiscard]] LengthSum diagonals_length(Points points, const FaceRegion& region,
                                          const std::vector<Triangle>& triangles);
 
+/// The total length of the `count` shortest of these edges, all of them if they are fewer. O(edges).
+[[nodiscard]] Interval shortest_edges_length(Points points, std::vector<Edge> edges, std::size_t count);
+
 /// A lower bound on the total length of the diagonals of any triangulation of the region by candidates: that of as many
 /// of the shortest candidates as there must be diagonals.
 [[nodiscard]] double lower_bound_of_diagonals(Points points, const FaceRegion& region);

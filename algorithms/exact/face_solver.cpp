@@ -10,12 +10,16 @@
 #include <cmath>
 #include <iterator>
 #include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <utility>
 
 #include "algorithms/exact/crossing_candidates.h"
 #include "algorithms/exact/face_region.h"
 #include "algorithms/exact/face_walk.h"
 #include "algorithms/exact/polygon_face.h"
 #include "algorithms/exact/region_program.h"
+#include "algorithms/exact/search_stopped.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -74,15 +78,17 @@ class Progress {
 
 class FaceSolver {
  public:
-  FaceSolver(const CandidateGraph& graph, Context& context)
-      : graph_(graph), context_(context), walker_(graph), scaled_(scaled_if_tiny(graph.points)), solvers_([this] {
-          return PolygonFaceSolver(graph_, scaled_.empty() ? graph_.points : Points(scaled_));
-        }) {}
+  FaceSolver(CandidateGraph graph, Context& context)
+      : graph_(std::move(graph)),
+        context_(context),
+        walker_(graph_),
+        scaled_(scaled_if_tiny(graph.points)),
+        solvers_([this] { return PolygonFaceSolver(graph_, scaled_.empty() ? graph_.points : Points(scaled_)); }) {}
 
   void solve_polygons();
 
-  // The candidates of the faces that are no polygons, ascending.
-  [[nodiscard]] std::vector<Edge> open_candidates() const;
+  // Deletes what crosses certain edges among the candidates of faces that are no polygons, and tries those again.
+  void repair();
 
   // Solves these faces and collects everything. Precondition: no open candidate crosses a certain edge.
   [[nodiscard]] FaceSolution finish();
@@ -93,13 +99,16 @@ class FaceSolver {
   void solve_long_walks();
   [[nodiscard]] std::vector<Walk> collect_long_walks() const;
   void solve_walk(const Walk& walk, PolygonFaceSolver& solver, Part& part);
+  [[nodiscard]] std::vector<Edge> open_candidates() const;
+  [[nodiscard]] double simple_lower_bound() const;
+  [[nodiscard]] Walk walk_again(const Edge& start) const;
   void solve_regions();
   void assemble(FaceSolution& solution);
   [[nodiscard]] Interval optimum() const;
 
-  const CandidateGraph& graph_;
+  CandidateGraph graph_;
   Context& context_;
-  FaceWalker walker_;
+  std::optional<FaceWalker> walker_;
   std::vector<Point> scaled_;
   tbb::enumerable_thread_specific<PolygonFaceSolver> solvers_;
   std::uint32_t outer_face_ = 0;
@@ -110,7 +119,7 @@ class FaceSolver {
 
 // Every part has its place, whichever thread fills it.
 void FaceSolver::solve_polygons() {
-  outer_face_ = walker_.owner_of_outer_face();
+  outer_face_ = walker_->owner_of_outer_face();
   solve_blocks();
   solve_long_walks();
 }
@@ -132,6 +141,52 @@ std::vector<Edge> FaceSolver::open_candidates() const {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+// Walks name halfedges by numbers that change when edges go: their first edges find them again.
+void FaceSolver::repair() {
+  // A candidate that crosses a certain edge leads out of its face at both ends or breaks the face's polygon, so it is
+  // found among the open ones.
+  const auto crossing = find_crossing_candidates(graph_, open_candidates(), context_.deadline);
+  if (!crossing) throw SearchStopped("the deadline passed before the faces were known", simple_lower_bound());
+  if (crossing->empty()) return;
+  const auto start_of = [&](const Walk& walk) { return Edge{walk.back().vertex, graph_.target[walk.back().halfedge]}; };
+  std::vector<std::vector<Edge>> composite(parts_.size());
+  std::vector<std::vector<Edge>> late(parts_.size());
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    for (const Walk& walk : parts_[i].composite_walks) composite[i].push_back(start_of(walk));
+    for (const Walk& walk : parts_[i].late_walks) late[i].push_back(start_of(walk));
+  }
+  remove_edges(graph_, *crossing);
+  walker_.emplace(graph_);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    parts_[i].composite_walks.clear();
+    parts_[i].late_walks.clear();
+    for (const Edge& start : composite[i]) solve_walk(walk_again(start), solvers_.local(), parts_[i]);
+    for (const Edge& start : late[i]) parts_[i].late_walks.push_back(walk_again(start));
+  }
+}
+
+// The certain edges and as many of the shortest candidates as there must be others.
+double FaceSolver::simple_lower_bound() const {
+  LengthSum certain;
+  for (const Part& part : parts_) certain.add(part.certain);
+  std::vector<Edge> candidates;
+  std::size_t certain_edges = 0;
+  for (Index v = 0; v < graph_.points.size(); ++v) {
+    for (std::uint32_t h = graph_.first[v]; h < graph_.first[v + std::size_t{1}]; ++h) {
+      if (graph_.target[h] < v) continue;
+      if (graph_.certain[h] == 0) candidates.push_back({v, graph_.target[h]});
+      certain_edges += graph_.certain[h];
+    }
+  }
+  const std::size_t edges = 3 * graph_.points.size() - 3 - walker_->outer_face_size();
+  const Interval shortest = shortest_edges_length(graph_.points, candidates, edges - certain_edges);
+  return std::max(0.0, next_down(certain.enclosure().lower + shortest.lower));
+}
+
+Walk FaceSolver::walk_again(const Edge& start) const {
+  return walker_->corners_of_face(start.a, walker_->corner_towards(start.a, start.b).halfedge);
 }
 
 FaceSolution FaceSolver::finish() {
@@ -163,7 +218,7 @@ void FaceSolver::solve_block(Index begin, Index end, Part& part) {
       if (graph_.certain[h] == 0) continue;
       is_isolated = false;
       if (v < graph_.target[h]) part.certain.add(graph_.points[v], graph_.points[graph_.target[h]]);
-      const WalkEnd walk_end = walker_.walk(v, h, kLongWalk, walk);
+      const WalkEnd walk_end = walker_->walk(v, h, kLongWalk, walk);
       if (walk_end == WalkEnd::too_long) part.long_walks.push_back({v, h, 0});
       if (walk_end == WalkEnd::closed && h != outer_face_) solve_walk(walk, solver, part);
     }
@@ -182,6 +237,8 @@ void FaceSolver::solve_walk(const Walk& walk, PolygonFaceSolver& solver, Part& p
   switch (solver.solve(walk, context_.deadline, part.solved)) {
     case PolygonFaceOutcome::solved: ++part.faces; break;
     case PolygonFaceOutcome::not_a_polygon: part.composite_walks.push_back(walk); break;
+    case PolygonFaceOutcome::no_triangulation:
+      throw std::logic_error("candidate graph: a face has no triangulation by candidates");
     case PolygonFaceOutcome::out_of_time: part.late_walks.push_back(walk); break;
   }
 }
@@ -195,7 +252,7 @@ std::vector<Walk> FaceSolver::collect_long_walks() const {
       is_visited.resize(graph_.target.size());
       if (is_visited[start.halfedge]) continue;
       Walk walk;
-      walker_.walk(start.vertex, start.halfedge, graph_.target.size(), walk);
+      walker_->walk(start.vertex, start.halfedge, graph_.target.size(), walk);
       for (const Corner& corner : walk) is_visited[corner.halfedge] = true;
       if (start.halfedge != outer_face_) walks.push_back(std::move(walk));
     }
@@ -231,7 +288,7 @@ void FaceSolver::solve_regions() {
   std::vector<FaceRegion> regions;
   for (const Walk& walk : late) regions.push_back(make_region(graph_, {&walk}, {}));
   late_regions_ = regions.size();
-  for (FaceRegion& region : group_into_regions(graph_, walker_, composite, isolated)) {
+  for (FaceRegion& region : group_into_regions(graph_, *walker_, composite, isolated)) {
     regions.push_back(std::move(region));
   }
   regions_.resize(regions.size());
@@ -299,25 +356,17 @@ void FaceSolver::assemble(FaceSolution& solution) {
   solution.proved = solution.unsolved_faces == 0 && solution.optimum.relative_width() <= kProvedRelativeWidth;
 }
 
-// A candidate that crosses a certain edge leads out of its face at both ends or breaks the face's polygon, so it is
-// found among the open ones.
-FaceSolution solve_after_repair(const CandidateGraph& graph, Context& context) {
-  FaceSolver solver(graph, context);
-  solver.solve_polygons();
-  const std::vector<Edge> crossing = find_crossing_candidates(graph, solver.open_candidates());
-  if (crossing.empty()) return solver.finish();
-  const CandidateGraph repaired = without_edges(graph, crossing);
-  FaceSolver again(repaired, context);
-  again.solve_polygons();
-  return again.finish();
-}
-
 }  // namespace
 
-FaceSolution solve_faces(const CandidateGraph& graph, Context& context) {
+FaceSolution solve_faces(CandidateGraph graph, Context& context) {
   // More threads than cores would only wait for each other.
   tbb::task_arena arena(std::clamp(context.threads, 1, tbb::info::default_concurrency()));
-  return arena.execute([&] { return solve_after_repair(graph, context); });
+  return arena.execute([&] {
+    FaceSolver solver(std::move(graph), context);
+    solver.solve_polygons();
+    solver.repair();
+    return solver.finish();
+  });
 }
 
 }  // namespace mwt

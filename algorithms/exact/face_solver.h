@@ -30,7 +30,8 @@ struct FaceSolution {
 /// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). Faces with holes or
 /// isolated vertices: linear program with branching (region_program.h).
 ///
-/// Precondition: the graph's properties (1) to (4); where a violation shows, std::logic_error.
+/// Precondition: the graph's properties (1) to (4); where a violation shows, std::logic_error. SearchStopped with a
+/// lower bound, if the deadline passes before the faces are known.
 /// Ties: equal triangulations of a face are told from different ones exactly, and of equal ones the same is kept
 /// always. Uses context.threads, but no more than there are cores; the triangles, their order and the bounds do not
 /// depend on it. Failure mode: polygons of more than 32 edges and faces with holes that context.deadline leaves over,
@@ -38,6 +39,6 @@ struct FaceSolution {
 /// triangulation and contribute a simple lower bound: the result is valid, `optimum` certified and wide, `proved`
 /// false. Time for faces of bounded size O(n), about a third of a Delaunay triangulation on two cores; an L-gon with
 /// all its diagonals takes O(L^3). Space O(n + candidates).
-[[nodiscard]] FaceSolution solve_faces(const CandidateGraph& graph, Context& context);
+[[nodiscard]] FaceSolution solve_faces(CandidateGraph graph, Context& context);
 
 }  // namespace mwt

@@ -74,6 +74,16 @@ WalkEnd FaceWalker::walk(Index from, std::uint32_t start, std::size_t limit, std
   return WalkEnd::closed;
 }
 
+std::vector<Corner> FaceWalker::corners_of_face(Index from, std::uint32_t start) const {
+  std::vector<Corner> corners;
+  Corner last{from, start, 0};
+  do {
+    last = corner_after(last.vertex, graph_.target[last.halfedge]);
+    corners.push_back(last);
+  } while (last.halfedge != start);
+  return corners;
+}
+
 Corner FaceWalker::corner_towards(Index vertex, Index neighbour) const {
   const std::uint32_t begin = graph_.first[vertex];
   const std::uint32_t end = graph_.first[vertex + 1];
@@ -100,14 +110,15 @@ Corner FaceWalker::some_corner_of_outer_face() const {
   throw std::logic_error("candidate graph: a hull edge is not certain");
 }
 
+std::size_t FaceWalker::outer_face_size() const {
+  const Corner start = some_corner_of_outer_face();
+  return corners_of_face(start.vertex, start.halfedge).size();
+}
+
 std::uint32_t FaceWalker::owner_of_outer_face() const {
   const Corner start = some_corner_of_outer_face();
   std::uint32_t owner = start.halfedge;
-  Corner corner = start;
-  do {
-    corner = corner_after(corner.vertex, graph_.target[corner.halfedge]);
-    owner = std::min(owner, corner.halfedge);
-  } while (corner.halfedge != start.halfedge);
+  for (const Corner& corner : corners_of_face(start.vertex, start.halfedge)) owner = std::min(owner, corner.halfedge);
   return owner;
 }
 

@@ -50,12 +50,19 @@ class FaceWalker {
   /// complete only if the walk closed.
   WalkEnd walk(Index from, std::uint32_t start, std::size_t limit, std::vector<Corner>& corners) const;
 
+  /// All corners of the face left of certain halfedge `start` of vertex `from`, wherever in its walk that is; the
+  /// start's own corner last.
+  [[nodiscard]] std::vector<Corner> corners_of_face(Index from, std::uint32_t start) const;
+
   /// The corner at `vertex` whose sector contains or begins with the halfedge to `neighbour`; precondition: the
   /// halfedge exists and the vertex has a certain edge. `candidates` is left 0.
   [[nodiscard]] Corner corner_towards(Index vertex, Index neighbour) const;
 
   /// The smallest halfedge of the walk around the outer face. O(hull).
   [[nodiscard]] std::uint32_t owner_of_outer_face() const;
+
+  /// The number of points on the hull's boundary. O(hull).
+  [[nodiscard]] std::size_t outer_face_size() const;
 
   static constexpr std::uint32_t kLargeStar = 64;
 

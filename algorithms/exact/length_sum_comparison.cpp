@@ -1,10 +1,13 @@
 #include "algorithms/exact/length_sum_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
+#include <utility>
 
 #include "geometry/double_double.h"
 #include "geometry/predicates.h"
@@ -15,14 +18,15 @@ namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 
-// Removes lengths that occur in both, as often as they occur in both.
-void cancel_equal_lengths(Points points, std::vector<Edge>& a, std::vector<Edge>& b) {
-  const auto is_shorter = [&](const Edge& e, const Edge& f) { return compare_edge_lengths(points, e, f) < 0; };
-  std::sort(a.begin(), a.end(), is_shorter);
-  std::sort(b.begin(), b.end(), is_shorter);
+// Removes what occurs in both, as often as it occurs in both. compare(e, f) is the sign of a weak order.
+template <class Element, class Compare>
+void cancel_equal(std::vector<Element>& a, std::vector<Element>& b, Compare compare) {
+  const auto is_less = [&](const Element& e, const Element& f) { return compare(e, f) < 0; };
+  std::sort(a.begin(), a.end(), is_less);
+  std::sort(b.begin(), b.end(), is_less);
   auto in_a = a.begin(), in_b = b.begin(), kept_a = a.begin(), kept_b = b.begin();
   while (in_a != a.end() && in_b != b.end()) {
-    const int sign = compare_edge_lengths(points, *in_a, *in_b);
+    const int sign = compare(*in_a, *in_b);
     if (sign < 0) *kept_a++ = *in_a;
     if (sign > 0) *kept_b++ = *in_b;
     if (sign <= 0) ++in_a;
@@ -30,6 +34,43 @@ void cancel_equal_lengths(Points points, std::vector<Edge>& a, std::vector<Edge>
   }
   a.erase(kept_a, in_a);
   b.erase(kept_b, in_b);
+}
+
+// An edge's extent along the axes, exact, the larger one first: mirror images and edges turned by 90 degrees agree.
+struct Extent {
+  std::array<double, 4> parts;  // high and low of the larger, of the smaller
+  Edge edge;
+};
+
+std::vector<Extent> extents_of(Points points, const std::vector<Edge>& edges) {
+  std::vector<Extent> extents;
+  for (const Edge& edge : edges) {
+    const Point &p = points[edge.a], &q = points[edge.b];
+    const DoubleDouble x = exact_sum(std::max(p.x, q.x), -std::min(p.x, q.x));
+    const DoubleDouble y = exact_sum(std::max(p.y, q.y), -std::min(p.y, q.y));
+    const bool is_wide = std::pair(x.high, x.low) > std::pair(y.high, y.low);
+    const auto& [larger, smaller] = is_wide ? std::tie(x, y) : std::tie(y, x);
+    extents.push_back({{larger.high, larger.low, smaller.high, smaller.low}, edge});
+  }
+  return extents;
+}
+
+void cancel_equal_extents(Points points, std::vector<Edge>& a, std::vector<Edge>& b) {
+  std::vector<Extent> of_a = extents_of(points, a), of_b = extents_of(points, b);
+  cancel_equal(of_a, of_b, [](const Extent& e, const Extent& f) {
+    return static_cast<int>(e.parts > f.parts) - static_cast<int>(e.parts < f.parts);
+  });
+  a.clear();
+  b.clear();
+  for (const Extent& extent : of_a) a.push_back(extent.edge);
+  for (const Extent& extent : of_b) b.push_back(extent.edge);
+}
+
+// Extents are compared at once, lengths exactly in microseconds where they are close: symmetric inputs have many of
+// both.
+void cancel_equal_lengths(Points points, std::vector<Edge>& a, std::vector<Edge>& b) {
+  cancel_equal_extents(points, a, b);
+  cancel_equal(a, b, [&](const Edge& e, const Edge& f) { return compare_edge_lengths(points, e, f); });
 }
 
 // The difference of two sums of roots of integers, common powers of two left out.

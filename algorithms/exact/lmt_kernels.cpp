@@ -159,46 +159,27 @@ class Deletion {
     return left_.count > 0 && right_.count > 0 && find_pair(star, stars_[o], left, right);
   }
 
-  // The common neighbours of both ends, by side.
+  // The common neighbours of both ends, by side. Both stars are sorted by target: merged a vector at a time.
   HWY_INLINE void collect_apexes(Index s, Index o) {
     const Star& star = stars_[s];
     const Star& other = stars_[o];
     left_.start(star.count + 2 * lanes(), 1.0F);
     right_.start(star.count + 2 * lanes(), -1.0F);
-    const bool merging_is_faster = star.count > 128;
-    if (merging_is_faster) {
-      collect_by_merging(s, o);
-    } else {
-      for (std::uint32_t i = 0; i < star.count; i += lanes()) {
-        const auto targets = hn::LoadU(kWord, star.target() + i);
-        auto common = hn::Eq(targets, hn::Set(kWord, other.target()[0]));
-        for (std::uint32_t k = 1; k < other.count; ++k) {
-          common = hn::Or(common, hn::Eq(targets, hn::Set(kWord, other.target()[k])));
-        }
-        common = hn::And(common, first_lanes(star.count - i));
-        if (!hn::AllFalse(kWord, common)) append_by_side(s, o, i, hn::RebindMask(kFloat, common));
+    std::uint32_t k = 0;
+    for (std::uint32_t i = 0; i < star.count; i += lanes()) {
+      const std::uint32_t size = std::min(lanes(), star.count - i);
+      const Index first = star.target()[i], last = star.target()[i + size - 1];
+      const auto targets = hn::LoadU(kWord, star.target() + i);
+      auto common = hn::Ne(targets, targets);
+      while (k < other.count && other.target()[k] < first) ++k;
+      for (; k < other.count && other.target()[k] <= last; ++k) {
+        common = hn::Or(common, hn::Eq(targets, hn::Set(kWord, other.target()[k])));
       }
+      common = hn::And(common, first_lanes(size));
+      if (!hn::AllFalse(kWord, common)) append_by_side(s, o, i, hn::RebindMask(kFloat, common));
     }
     left_.triangle.assign(left_.count, Apexes::Triangle::not_looked_at);
     right_.triangle.assign(right_.count, Apexes::Triangle::not_looked_at);
-  }
-
-  // Both stars are sorted by target.
-  void collect_by_merging(Index s, Index o) {
-    const Star& star = stars_[s];
-    const Star& other = stars_[o];
-    std::uint32_t k = 0;
-    for (std::uint32_t i = 0; i < star.count; i += lanes()) {
-      std::uint64_t common = 0;
-      const std::uint32_t end = std::min(lanes(), star.count - i);
-      for (std::uint32_t lane = 0; lane < end; ++lane) {
-        const Index target = star.target()[i + lane];
-        while (k < other.count && other.target()[k] < target) ++k;
-        if (k < other.count && other.target()[k] == target) common |= std::uint64_t{1} << lane;
-      }
-      if (common == 0) continue;
-      append_by_side(s, o, i, hn::LoadMaskBits(kFloat, reinterpret_cast<const std::uint8_t*>(&common)));
-    }
   }
 
   // Files the neighbours in the lanes of `common`, from position i of the star of s on.

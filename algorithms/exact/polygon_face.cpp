@@ -40,7 +40,8 @@ PolygonFaceOutcome PolygonFaceSolver::solve(std::span<const Corner> corners,
   if (corners.size() == 4) return solve_quadrilateral(result);
   if (!collect_cells()) return PolygonFaceOutcome::not_a_polygon;
   lay_out_backward_cells();
-  if (!compute_cells(deadline)) return PolygonFaceOutcome::out_of_time;
+  const PolygonFaceOutcome outcome = compute_cells(deadline);
+  if (outcome != PolygonFaceOutcome::solved) return outcome;
   return emit(result) ? PolygonFaceOutcome::solved : PolygonFaceOutcome::not_a_polygon;
 }
 
@@ -129,15 +130,15 @@ void PolygonFaceSolver::lay_out_backward_cells() {
   row_cell_.resize(size);
 }
 
-bool PolygonFaceSolver::compute_cells(const std::optional<std::chrono::steady_clock::time_point>& deadline) {
+PolygonFaceOutcome PolygonFaceSolver::compute_cells(
+    const std::optional<std::chrono::steady_clock::time_point>& deadline) {
   for (auto from = static_cast<Position>(corners_.size() - 1); from-- > 0;) {
     const bool late = deadline && corners_.size() > kSmallFace && std::chrono::steady_clock::now() >= *deadline;
-    if (late) return false;
+    if (late) return PolygonFaceOutcome::out_of_time;
     compute_row(from);
   }
   const Cell last = backward_end_.back() - 1;  // exists: the boundary edge to the last position
-  if (backward_[last].apex != 0) throw std::logic_error("candidate graph: a face has no triangulation by candidates");
-  return true;
+  return backward_[last].apex == 0 ? PolygonFaceOutcome::solved : PolygonFaceOutcome::no_triangulation;
 }
 
 void PolygonFaceSolver::compute_row(Position from) {

@@ -28,11 +28,18 @@ struct PolygonFaceCounters {
   std::uint64_t cells = 0;                ///< intervals whose optimum was computed
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums that doubles could not decide
   std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart
+
+  void add(const PolygonFaceCounters& other) {
+    cells += other.cells;
+    precise_comparisons += other.precise_comparisons;
+    undecided_ties += other.undecided_ties;
+  }
 };
 
 enum class PolygonFaceOutcome {
   solved,
-  not_a_polygon,  ///< candidates lead to other components (holes, isolated vertices) or cross the boundary
+  not_a_polygon,     ///< candidates lead to other components (holes, isolated vertices) or cross the boundary
+  no_triangulation,  ///< by candidates
   out_of_time,
 };
 
@@ -50,8 +57,7 @@ class PolygonFaceSolver {
   PolygonFaceSolver(const CandidateGraph& graph, Points points) : graph_(graph), points_(points) {}
 
   /// Adds the face's optimal triangulation to `result`, unless the outcome is another than `solved`.
-  /// Precondition: at least 3 corners, and the candidates contain a triangulation of the face, otherwise
-  /// std::logic_error.
+  /// Precondition: at least 3 corners.
   PolygonFaceOutcome solve(std::span<const Corner> corners,
                            const std::optional<std::chrono::steady_clock::time_point>& deadline, FaceTriangles& result);
 
@@ -82,7 +88,7 @@ class PolygonFaceSolver {
   void collect_positions_of_vertices();
   [[nodiscard]] Position find_position(Index vertex, Position after, Index partner) const;
   void lay_out_backward_cells();
-  [[nodiscard]] bool compute_cells(const std::optional<std::chrono::steady_clock::time_point>& deadline);
+  [[nodiscard]] PolygonFaceOutcome compute_cells(const std::optional<std::chrono::steady_clock::time_point>& deadline);
   void compute_row(Position from);
   [[nodiscard]] bool find_best_option(Position from, Cell cell, Option& best);
   [[nodiscard]] Option best_of_close_options(Position from, Cell cell, double threshold);

@@ -1,10 +1,13 @@
 #include "algorithms/exact/region_program.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 #include <span>
+#include <utility>
 
 #include "algorithms/exact/consistent_triangles.h"
+#include "algorithms/exact/cut_region.h"
+#include "algorithms/exact/region_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
@@ -15,24 +18,13 @@ namespace {
 
 using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
-bool has_passed(const Deadline& deadline) { return deadline && std::chrono::steady_clock::now() >= *deadline; }
-
 // The region's vertices numbered 0, 1, ... in lexicographic order of their points, and the directed edges that may be
 // sides of triangles on their left.
 struct LocalRegion {
   std::vector<Index> vertices;  // in the whole instance
   std::vector<Point> points;
   std::vector<Edge> boundary;
-  std::vector<Edge> sides;         // sorted
-  std::vector<std::size_t> first;  // sides of vertex v: [first[v], first[v + 1])
-
-  [[nodiscard]] std::span<const Edge> sides_of(Index v) const {
-    return std::span(sides).subspan(first[v], first[v + 1] - first[v]);
-  }
-  [[nodiscard]] bool has_side(const Edge& side) const {
-    const auto star = sides_of(side.a);
-    return std::binary_search(star.begin(), star.end(), side);
-  }
+  std::vector<Edge> sides;
 };
 
 LocalRegion localise(Points points, const FaceRegion& region) {
@@ -55,44 +47,7 @@ LocalRegion localise(Points points, const FaceRegion& region) {
     const Index a = position[rank(edge.a)], b = position[rank(edge.b)];
     local.sides.insert(local.sides.end(), {{a, b}, {b, a}});
   }
-  std::sort(local.sides.begin(), local.sides.end());
-  local.first.assign(local.vertices.size() + 1, 0);
-  for (const Edge& side : local.sides) ++local.first[side.a + 1];
-  std::partial_sum(local.first.begin(), local.first.end(), local.first.begin());
   return local;
-}
-
-// Points are in lexicographic order, `triangle` begins with its smallest index.
-bool is_empty(const std::vector<Point>& points, const Triangle& triangle) {
-  const auto [a, b, c] = triangle;
-  for (Index p = a + 1; p < std::max(b, c); ++p) {
-    if (p != b && p != c && in_closed_triangle(points[p], points[a], points[b], points[c])) return false;
-  }
-  return true;
-}
-
-// Adds the triangles with smallest corner a.
-void add_empty_triangles(const LocalRegion& local, Index a, std::vector<Triangle>& triangles) {
-  const auto& points = local.points;
-  for (const Edge& ab : local.sides_of(a)) {
-    if (ab.b < a) continue;
-    for (const Edge& bc : local.sides_of(ab.b)) {
-      const Triangle triangle{a, ab.b, bc.b};
-      const bool is_candidate = bc.b > a && orientation(points[a], points[ab.b], points[bc.b]) > 0 &&
-                                local.has_side({bc.b, a}) && is_empty(points, triangle);
-      if (is_candidate) triangles.push_back(triangle);
-    }
-  }
-}
-
-std::optional<std::vector<Triangle>> empty_triangles_of(const LocalRegion& local, std::size_t limit,
-                                                        const Deadline& deadline) {
-  std::vector<Triangle> triangles;
-  for (Index a = 0; a < local.vertices.size(); ++a) {
-    add_empty_triangles(local, a, triangles);
-    if (triangles.size() > limit || has_passed(deadline)) return {};
-  }
-  return triangles;
 }
 
 std::vector<Triangle> in_instance(const LocalRegion& local, const std::vector<Triangle>& triangles) {
@@ -121,9 +76,39 @@ RegionSolution leave_unsolved(Points points, const FaceRegion& region) {
   return result;
 }
 
-RegionSolution solve_region(Points points, const FaceRegion& region, const Deadline& deadline) {
+namespace {
+
+// With two boundary components: every triangulation contains one of a few cuts, and with each cut the region is a
+// polygon. Nothing if that does not decide it.
+std::optional<RegionSolution> solve_by_cutting(Points points, const FaceRegion& region, const Deadline& deadline) {
+  CutRegion cutter(points, region);
+  std::optional<RegionSolution> best;
+  double lower_bound = std::numeric_limits<double>::infinity();
+  for (const Edge& cut : cutter.unavoidable_cuts()) {
+    FaceTriangles found;
+    const PolygonFaceOutcome outcome = cutter.solve(std::span(&cut, 1), deadline, found);
+    if (outcome == PolygonFaceOutcome::no_triangulation) continue;
+    if (outcome == PolygonFaceOutcome::out_of_time && best) {
+      best->lower_bound = lower_bound_of_diagonals(points, region);
+      return best;
+    }
+    if (outcome != PolygonFaceOutcome::solved) return {};
+    const Interval weight = found.diagonals.enclosure();
+    lower_bound = std::min(lower_bound, weight.lower);
+    if (best && best->diagonals.enclosure().upper <= weight.upper) continue;
+    best.emplace();
+    best->triangles = std::move(found.triangles);
+    best->diagonals = found.diagonals;
+  }
+  if (!best) return {};
+  best->lower_bound = lower_bound;
+  best->solved = true;
+  return best;
+}
+
+RegionSolution solve_by_program(Points points, const FaceRegion& region, const Deadline& deadline) {
   const LocalRegion local = localise(points, region);
-  const auto triangles = empty_triangles_of(local, kMaximumProgramTriangles, deadline);
+  const auto triangles = region_triangles(local.points, local.sides, kMaximumProgramTriangles, deadline);
   if (!triangles) return leave_unsolved(points, region);
   const std::vector<Triangle> consistent = consistent_triangles(local.points, *triangles, local.boundary);
   const TriangleCover cover =
@@ -137,6 +122,15 @@ RegionSolution solve_region(Points points, const FaceRegion& region, const Deadl
   result.programs = cover.programs;
   result.branchings = cover.branchings;
   return result;
+}
+
+}  // namespace
+
+RegionSolution solve_region(Points points, const FaceRegion& region, const Deadline& deadline) {
+  if (region.components == 2) {
+    if (const auto solution = solve_by_cutting(points, region, deadline)) return *solution;
+  }
+  return solve_by_program(points, region, deadline);
 }
 
 }  // namespace mwt

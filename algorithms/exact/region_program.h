@@ -1,4 +1,5 @@
-// Minimum weight triangulation of a face with holes or isolated vertices, by linear programming.
+// Minimum weight triangulation of a face with holes or isolated vertices: by cutting it open where there is one, by
+// linear programming where there are more.
 #pragma once
 
 #include <chrono>

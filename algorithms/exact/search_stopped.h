@@ -9,6 +9,9 @@ namespace mwt {
 class SearchStopped : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  SearchStopped(const char* reason, double optimum_at_least) : runtime_error(reason), lower_bound(optimum_at_least) {}
+
+  double lower_bound = 0;  ///< certified: no triangulation of the points is lighter
 };
 
 }  // namespace mwt

@@ -1,0 +1,129 @@
+#include "algorithms/exact/cut_region.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "algorithms/exact/by_direction.h"
+#include "algorithms/exact/face_walk.h"
+#include "geometry/predicates.h"
+
+namespace mwt {
+
+namespace {
+
+bool lies_below_or_left(const Point& p, const Point& q) { return p.y < q.y || (p.y == q.y && p.x < q.x); }
+
+// The smallest vertex of each vertex's component.
+std::vector<Index> components_of(std::size_t vertices, const std::vector<Edge>& edges) {
+  std::vector<Index> parent(vertices);
+  std::iota(parent.begin(), parent.end(), Index{0});
+  const auto find = [&](Index v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Edge& edge : edges) {
+    const Index a = find(edge.a), b = find(edge.b);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  for (Index v = 0; v < vertices; ++v) parent[v] = find(v);
+  return parent;
+}
+
+}  // namespace
+
+CutRegion::CutRegion(Points points, const FaceRegion& region) : region_(region) {
+  for (const Index vertex : region.vertices) points_.push_back(points[vertex]);
+  for (const Edge& edge : region.boundary) boundary_.push_back(make_edge(local(edge.a), local(edge.b)));
+  std::sort(boundary_.begin(), boundary_.end());
+  boundary_.erase(std::unique(boundary_.begin(), boundary_.end()), boundary_.end());
+  for (const Edge& edge : region.candidates) candidates_.push_back({local(edge.a), local(edge.b)});
+  component_ = components_of(points_.size(), boundary_);
+}
+
+Index CutRegion::local(Index vertex) const {
+  const auto place = std::lower_bound(region_.vertices.begin(), region_.vertices.end(), vertex);
+  return static_cast<Index>(place - region_.vertices.begin());
+}
+
+std::vector<Edge> CutRegion::unavoidable_cuts() const {
+  const auto first = std::min_element(points_.begin(), points_.end(), lexicographically_less);
+  const Index outer = component_[static_cast<std::size_t>(first - points_.begin())];
+  std::vector<Index> inner;
+  for (Index v = 0; v < points_.size(); ++v) {
+    if (component_[v] != outer) inner.push_back(v);
+  }
+  std::optional<std::vector<Edge>> fewest;
+  for (const auto is_before : {lexicographically_less, lies_below_or_left}) {
+    const auto by_order = [&](Index a, Index b) { return is_before(points_[a], points_[b]); };
+    const auto [least, most] = std::minmax_element(inner.begin(), inner.end(), by_order);
+    for (const bool later : {false, true}) {
+      const Index u = later ? *most : *least;
+      std::vector<Edge> cuts;
+      for (const Edge& edge : candidates_) {
+        if (edge.a != u && edge.b != u) continue;
+        const Index v = edge.a == u ? edge.b : edge.a;
+        if (later ? by_order(u, v) : by_order(v, u))
+          cuts.push_back({region_.vertices[edge.a], region_.vertices[edge.b]});
+      }
+      if (!fewest || cuts.size() < fewest->size()) fewest = std::move(cuts);
+    }
+  }
+  return *fewest;
+}
+
+// Certain: boundary and cuts. Without the candidates that cross a cut.
+CandidateGraph CutRegion::graph_with(std::span<const Edge> cuts) const {
+  std::vector<Edge> certain = boundary_;
+  for (const Edge& cut : cuts) certain.push_back({local(cut.a), local(cut.b)});
+  std::sort(certain.begin(), certain.end());
+  std::vector<Edge> edges = certain;
+  for (const Edge& edge : candidates_) {
+    const bool is_free = std::none_of(cuts.begin(), cuts.end(), [&](const Edge& cut) {
+      const Edge c{local(cut.a), local(cut.b)};
+      return c == edge || segments_cross(points_[edge.a], points_[edge.b], points_[c.a], points_[c.b]);
+    });
+    if (is_free) edges.push_back(edge);
+  }
+  CandidateGraph graph;
+  graph.points = points_;
+  graph.first.assign(points_.size() + 1, 0);
+  for (const Edge& edge : edges) {
+    ++graph.first[edge.a + std::size_t{1}];
+    ++graph.first[edge.b + std::size_t{1}];
+  }
+  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+  graph.target.resize(2 * edges.size());
+  std::vector<std::uint32_t> next(graph.first.begin(), graph.first.end() - 1);
+  for (const Edge& edge : edges) {
+    graph.target[next[edge.a]++] = edge.b;
+    graph.target[next[edge.b]++] = edge.a;
+  }
+  for (Index v = 0; v < points_.size(); ++v) {
+    const auto begin = graph.target.begin() + graph.first[v],
+               end = graph.target.begin() + graph.first[v + std::size_t{1}];
+    std::sort(begin, end, ByDirection(points_, v));
+    for (auto it = begin; it != end; ++it) {
+      graph.certain.push_back(std::binary_search(certain.begin(), certain.end(), make_edge(v, *it)) ? 1 : 0);
+    }
+  }
+  return graph;
+}
+
+PolygonFaceOutcome CutRegion::solve(std::span<const Edge> cuts, const Deadline& deadline, FaceTriangles& result) {
+  const CandidateGraph graph = graph_with(cuts);
+  const FaceWalker walker(graph);
+  const Index from = local(cuts.front().a), to = local(cuts.front().b);
+  const std::vector<Corner> corners = walker.corners_of_face(from, walker.corner_towards(from, to).halfedge);
+  PolygonFaceSolver solver(graph, graph.points);
+  FaceTriangles found;
+  const PolygonFaceOutcome outcome = solver.solve(corners, deadline, found);
+  if (outcome != PolygonFaceOutcome::solved) return outcome;
+  for (const auto& [a, b, c] : found.triangles) {
+    result.triangles.push_back({region_.vertices[a], region_.vertices[b], region_.vertices[c]});
+  }
+  for (const Edge& cut : cuts) found.diagonals.add(points_[local(cut.a)], points_[local(cut.b)]);
+  result.diagonals.add(found.diagonals);
+  return outcome;
+}
+
+}  // namespace mwt
