@@ -79,6 +79,11 @@ void CommandOptions::arguments(const std::string& name, std::vector<std::string>
   app_.add_option(name, values, help)->required();
 }
 
+void CommandOptions::optional_arguments(const std::string& name, std::vector<std::string>& values,
+                                        const std::string& help) {
+  app_.add_option(name, values, help);
+}
+
 void CommandOptions::flag(const std::string& name, bool& value, const std::string& help) {
   app_.add_flag(name, value, help);
 }

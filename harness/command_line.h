@@ -37,6 +37,7 @@ class CommandOptions {
 
   /// One or more.
   void arguments(const std::string& name, std::vector<std::string>& values, const std::string& help);
+  void optional_arguments(const std::string& name, std::vector<std::string>& values, const std::string& help);
 
   void flag(const std::string& name, bool& value, const std::string& help);
   void required(const std::string& name, std::string& value, const std::string& help);

@@ -26,5 +26,5 @@ mapfile -t headers < <(find "${floors[@]}" -name '*.h')
 forbid '#include "(generators|algorithms|harness)/' 'geometry is the lowest floor' "${geometry[@]}"
 forbid '#include "(algorithms|harness)/' 'generators know only geometry' "${generators[@]}"
 forbid '#include "(generators|harness)/' 'algorithms know only geometry' "${algorithms[@]}"
-forbid '#include <(CGAL|Eigen|CLI|nlohmann|toml|boost/math|benchmark|glpk)' 'heavy headers belong in few .cpp files' "${headers[@]}"
+forbid '#include <(CGAL|Eigen|CLI|nlohmann|toml|boost/math|benchmark|glpk|sqlite3)' 'heavy headers belong in few .cpp files' "${headers[@]}"
 [ "$failed" = no ]

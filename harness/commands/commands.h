@@ -14,5 +14,8 @@ namespace mwt {
 [[nodiscard]] Command merge_command();
 [[nodiscard]] Command report_command();
 [[nodiscard]] Command hunt_command();
+[[nodiscard]] Command compare_command();
+[[nodiscard]] Command track_command();
+[[nodiscard]] Command history_command();
 
 }  // namespace mwt

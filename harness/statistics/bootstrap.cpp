@@ -93,6 +93,24 @@ Estimate bootstrap(std::span<const double> sample, const std::function<double(st
   return bootstrap_over(sample.size(), statistic_of_drawn, options);
 }
 
+Estimate bootstrap_two_samples(std::span<const double> first, std::span<const double> second,
+                               const std::function<double(std::span<const double>, std::span<const double>)>& statistic,
+                               const BootstrapOptions& options) {
+  if (first.empty() || second.empty()) throw std::invalid_argument("two samples need observations of both");
+  std::vector<double> all(first.begin(), first.end());
+  all.insert(all.end(), second.begin(), second.end());
+  std::vector<std::size_t> groups(all.size(), 0);
+  std::fill(groups.begin() + static_cast<std::ptrdiff_t>(first.size()), groups.end(), std::size_t{1});
+  std::vector<double> resample(all.size());
+  // A group's observations keep its places, so the first ones drawn are always of the first sample.
+  const auto statistic_of_drawn = [&](std::span<const std::size_t> drawn) {
+    for (std::size_t i = 0; i < drawn.size(); ++i) resample[i] = all[drawn[i]];
+    const std::span<const double> both(resample);
+    return statistic(both.first(first.size()), both.subspan(first.size()));
+  };
+  return bootstrap_over(all.size(), statistic_of_drawn, options, groups);
+}
+
 Estimate bootstrap_median(std::span<const double> sample, const BootstrapOptions& options) {
   return bootstrap(sample, median, options);
 }
@@ -111,20 +129,12 @@ Estimate bootstrap_paired_ratio_of_medians(std::span<const double> numerators, s
 
 Estimate bootstrap_ratio_of_medians(std::span<const double> numerators, std::span<const double> denominators,
                                     const BootstrapOptions& options) {
-  if (numerators.empty() || denominators.empty()) throw std::invalid_argument("a ratio needs observations of both");
   require_positive(numerators);
   require_positive(denominators);
-  std::vector<double> all(numerators.begin(), numerators.end());
-  all.insert(all.end(), denominators.begin(), denominators.end());
-  std::vector<std::size_t> groups(all.size(), 0);
-  std::fill(groups.begin() + static_cast<std::ptrdiff_t>(numerators.size()), groups.end(), std::size_t{1});
-  std::vector<double> buffer;
-  // A group's observations keep its places, so the first ones drawn are always numerators.
-  const auto ratio = [&](std::span<const std::size_t> drawn) {
-    return median_of(all, drawn.first(numerators.size()), buffer) /
-           median_of(all, drawn.subspan(numerators.size()), buffer);
+  const auto ratio = [](std::span<const double> above, std::span<const double> below) {
+    return median(above) / median(below);
   };
-  return bootstrap_over(all.size(), ratio, options, groups);
+  return bootstrap_two_samples(numerators, denominators, ratio, options);
 }
 
 }  // namespace mwt

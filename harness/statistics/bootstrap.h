@@ -47,6 +47,13 @@ struct BootstrapOptions {
                                  const std::function<double(std::span<const double>)>& statistic,
                                  const BootstrapOptions& options = {});
 
+/// For any statistic of two samples that were measured independently: each is drawn by itself.
+/// Precondition: neither is empty; std::invalid_argument otherwise.
+[[nodiscard]] Estimate bootstrap_two_samples(
+    std::span<const double> first, std::span<const double> second,
+    const std::function<double(std::span<const double>, std::span<const double>)>& statistic,
+    const BootstrapOptions& options = {});
+
 [[nodiscard]] Estimate bootstrap_median(std::span<const double> sample, const BootstrapOptions& options = {});
 
 /// median(numerators) / median(denominators), where the i-th of both were measured together (side by side, or on the

@@ -1,0 +1,70 @@
+#include <iostream>
+#include <memory>
+
+#include "geometry/error.h"
+#include "geometry/output_file.h"
+#include "harness/commands/commands.h"
+#include "harness/commands/history_option.h"
+#include "harness/tracking/changes.h"
+#include "harness/tracking/history.h"
+#include "harness/tracking/history_text.h"
+
+namespace mwt {
+
+namespace {
+
+struct Options {
+  std::string action;
+  std::optional<std::string> history;
+  std::optional<std::string> output;
+  bool csv = false;
+  bool json = false;
+  std::optional<double> least_change;
+};
+
+std::string changes_text(const std::vector<Night>& nights, const std::vector<Change>& changes) {
+  std::string text;
+  for (const Change& change : changes) text += describe(change, nights) + '\n';
+  return text.empty() ? "no change in " + std::to_string(nights.size()) + " nights\n" : text;
+}
+
+std::string answer(const Options& options) {
+  if (options.action != "export" && options.action != "changes")
+    throw InputError("history has no action '" + options.action + "'; known: export, changes");
+  if (options.action == "export" && !options.csv) throw InputError("give the form of the export: --csv");
+  const std::vector<Night> nights = History(history_path(options.history), History::Mode::read).nights();
+  if (options.action == "export") return history_csv(nights);
+  ChangeOptions change_options;
+  if (options.least_change) change_options.least_change = *options.least_change / 100;
+  const std::vector<Change> changes = find_changes(nights, change_options);
+  return options.json ? changes_json(changes, nights) : changes_text(nights, changes);
+}
+
+int history(const Options& options) {
+  const std::string text = answer(options);
+  if (options.output) {
+    write_file_atomically(*options.output, text);
+  } else {
+    std::cout << text;
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+Command history_command() {
+  const auto options = std::make_shared<Options>();
+  const auto declare = [options](CommandOptions& declared) {
+    declared.argument("action", options->action, "export: all values; changes: what stepped, when, by how much");
+    declared.option("--history", options->history, kHistoryHelp);
+    declared.option("-o,--output", options->output, "write to this file instead of standard output");
+    declared.flag("--csv", options->csv, "of export: comma-separated, one row per night, cell and measure");
+    declared.flag("--json", options->json, "of changes: a JSON array instead of lines");
+    declared.positive("--least-change", options->least_change,
+                      "of changes: smaller steps of times and memory are not told, in percent; 3 if not given");
+  };
+  return {"history", "Look into the history: export it, find what changed", declare,
+          [options] { return history(*options); }};
+}
+
+}  // namespace mwt

@@ -1,0 +1,177 @@
+// Runs `mwt compare`, `mwt track` and `mwt history` as their users do.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "harness/csv.h"
+#include "harness/test_support.h"
+#include "harness/tracking/synthetic_nights_testing.h"
+
+namespace mwt {
+namespace {
+
+using testing::read_text;
+using testing::TemporaryFolder;
+using testing::write_text;
+
+class TrackingCommands : public ::testing::Test {
+ protected:
+  struct Result {
+    int exit_code = -1;
+    std::string output;
+    std::string errors;
+  };
+
+  [[nodiscard]] Result mwt(const std::string& arguments) const {
+    const std::string command = "cd " + folder_.path("") + " && " MWT_EXECUTABLE " " + arguments + " >" +
+                                folder_.path(".out") + " 2>" + folder_.path(".err") + " </dev/null";
+    const int status = std::system(command.c_str());
+    return {WEXITSTATUS(status), read_text(folder_.path(".out")), read_text(folder_.path(".err"))};
+  }
+
+  void expect_mistake(const std::string& arguments, const std::string& part) const {
+    const Result result = mwt(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
+    EXPECT_NE(result.errors.find(part), std::string::npos) << arguments << ": " << result.errors;
+    EXPECT_EQ(result.output, "") << arguments;
+  }
+
+  void write_night(int night, const testing::Tamper& tamper = {}) const {
+    testing::write_synthetic_night(folder_.path("n" + std::to_string(night)),
+                                   testing::synthetic_runs({}, night, 1, tamper));
+  }
+
+  TemporaryFolder folder_;
+};
+
+void heavier_flip(int night, RunRecord& run, RandomEngine&) {
+  if (night == 1 && run.algorithm == "flip") *run.weight_lower += 1, *run.weight_upper += 1;
+}
+
+TEST_F(TrackingCommands, CompareExitsWithOneOnARegression) {
+  write_night(0);
+  write_night(1, heavier_flip);
+  const Result worse = mwt("compare n0 n1");
+  EXPECT_EQ(worse.exit_code, 1) << worse.errors;
+  EXPECT_TRUE(worse.output.starts_with("8 regressions (flip on clustered n=100 seed=1: ")) << worse.output;
+  const Result better = mwt("compare n1 n0");
+  EXPECT_EQ(better.exit_code, 0);
+  EXPECT_TRUE(better.output.starts_with("0 regressions, 8 improvements")) << better.output;
+  const auto json = nlohmann::json::parse(mwt("compare n0 n1 --json").output);
+  EXPECT_EQ(json["findings"].size(), 8u);
+  EXPECT_EQ(json["regression"], true);
+  EXPECT_NE(mwt("compare n0 n1 --markdown").output.find("| flip | clustered n=100 seed=1 |"), std::string::npos);
+}
+
+TEST_F(TrackingCommands, MistakesOfCompare) {
+  write_night(0);
+  expect_mistake("compare", "compare takes two folders");
+  expect_mistake("compare n0", "compare takes two folders");
+  expect_mistake("compare n0 missing", "missing/runs.csv");
+  expect_mistake("compare n0 n0 --json --markdown", "not both");
+  expect_mistake("compare n0 n0 --measure weight", "not a time");
+  expect_mistake("compare --build-a .", "belong together");
+  expect_mistake("compare --build-a . --build-b .", "--study");
+  expect_mistake("compare --build-a . --build-b . --study report", "mwt: no program is there");
+}
+
+TEST_F(TrackingCommands, TwoBuildsAreRunInTurn) {
+  write_text(
+      folder_.path("s.toml"),
+      "name = \"s\"\nsummary = \"x\"\nfamilies = [{ name = \"clustered\", parameters = { clusters = 3 } }]\n"
+      "sizes = [20]\nalgorithms = [\"delaunay\", { name = \"flip\", parameters = { start = \"sweep\" } }, \"sweep\"]\n"
+      "min_time_s = 0.0001\n");
+  const std::string builds = std::string("compare --build-a " MWT_EXECUTABLE " --build-b ") + MWT_EXECUTABLE;
+  const Result result =
+      mwt(builds + " --study s.toml --out ab --repetitions 3 --algorithm flip --algorithm sweep --json");
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["paired"], true);
+  ASSERT_EQ(json["cells"].size(), 2u);
+  EXPECT_EQ(json["cells"][0]["verdict"], "identical binary");
+  EXPECT_EQ(json["cells"][0]["algorithm"], "flip order=stack start=sweep trace=off");
+  const auto forced = nlohmann::json::parse(mwt("compare ab/base ab/new --paired --force --json").output);
+  EXPECT_EQ(forced["cells"][0]["observations"], 3);
+  expect_mistake(builds + " --study s.toml --out ab", "has results already");
+  expect_mistake(builds + " --study s.toml --out other --algorithm greedy", "has no algorithm 'greedy'");
+}
+
+// What looks slower in the folders is run again by both builds; only the same algorithms, and these are one program.
+TEST_F(TrackingCommands, WhatLooksSlowerIsConfirmedByBothBuilds) {
+  write_night(0);
+  write_night(1, [](int, RunRecord& run, RandomEngine&) {
+    if (run.algorithm == "flip") *run.wall_time_s *= 3;
+  });
+  write_text(folder_.path("s.toml"),
+             "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"*\"]\n"
+             "min_time_s = 0.0001\n");
+  EXPECT_EQ(mwt("compare n0 n1").exit_code, 1);
+  const std::string builds =
+      " --build-a " MWT_EXECUTABLE " --build-b " MWT_EXECUTABLE " --study s.toml --repetitions 2";
+  const Result result = mwt("compare n0 n1 --json --out ab" + builds);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["regression"], false);
+  EXPECT_EQ(json["suspected"]["regression"], true);
+  EXPECT_EQ(json["confirmed"]["compared_cells"], 1);
+  EXPECT_EQ(json["confirmed"]["cells"][0]["algorithm"], "flip order=stack start=delaunay trace=off");
+  EXPECT_EQ(mwt("compare n0 n0 --out other" + builds).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("other"))) << "nothing to confirm";
+}
+
+TEST_F(TrackingCommands, ABuildThatFailsIsNamed) {
+  write_text(folder_.path("s.toml"),
+             "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"delaunay\"]\n");
+  expect_mistake("compare --build-a /bin/false --build-b /bin/false --study s.toml --out ab",
+                 "/bin/false: exit code 1");
+}
+
+TEST_F(TrackingCommands, TrackIsIdempotentAndExportsEverything) {
+  write_night(0);
+  write_night(1);
+  EXPECT_NE(mwt("track n1 n0").output.find("values added"), std::string::npos);
+  const Result again = mwt("track n1");
+  EXPECT_EQ(again.exit_code, 0) << again.errors;
+  EXPECT_NE(again.output.find("values known already"), std::string::npos) << again.output;
+  EXPECT_TRUE(std::filesystem::exists(folder_.path("results/history.sqlite")));
+
+  const Result exported = mwt("history export --csv");
+  const std::vector<CsvRow> rows = parse_csv(exported.output);
+  const std::size_t cells = 6 * 2 * 2 * 2, measures = 7;
+  ASSERT_EQ(rows.size(), 1 + 2 * cells * measures);
+  EXPECT_EQ(rows[1][2], testing::synthetic_commit(0));
+  EXPECT_EQ(rows.back()[2], testing::synthetic_commit(1));
+  EXPECT_EQ(mwt("history export --csv -o all.csv").output, "");
+  EXPECT_EQ(read_text(folder_.path("all.csv")), exported.output);
+}
+
+TEST_F(TrackingCommands, HistoryTellsWhatChanged) {
+  for (int night = 0; night < 6; ++night) {
+    write_night(night, [](int this_night, RunRecord& run, RandomEngine&) {
+      if (this_night >= 3 && run.algorithm == "flip") *run.alpha_lower += 0.25, *run.alpha_upper += 0.25;
+    });
+  }
+  EXPECT_EQ(mwt("track n0 n1 n2 n3 n4 n5 --history h.sqlite").exit_code, 0);
+  const auto changes = nlohmann::json::parse(mwt("history changes --history h.sqlite --json").output);
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0]["algorithm"], "flip");
+  EXPECT_EQ(changes[0]["aspect"], "quality");
+  EXPECT_EQ(changes[0]["commit"], testing::synthetic_commit(3));
+  EXPECT_EQ(changes[0]["steps"].size(), 4u);
+  EXPECT_TRUE(mwt("history changes --history h.sqlite").output.starts_with("2026-01-04 regression flip: quality +"));
+}
+
+TEST_F(TrackingCommands, MistakesOfTrackAndHistory) {
+  expect_mistake("track", "dir is required");
+  expect_mistake("track missing", "missing/runs.csv");
+  expect_mistake("history changes", "results/history.sqlite");
+  expect_mistake("history forget", "known: export, changes");
+  expect_mistake("history export", "--csv");
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("results")));
+}
+
+}  // namespace
+}  // namespace mwt

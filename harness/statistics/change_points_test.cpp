@@ -1,0 +1,185 @@
+#include "harness/statistics/change_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+#include "generators/random.h"
+
+namespace mwt {
+namespace {
+
+constexpr std::size_t kNights = 60;
+
+using Noise = std::function<double(RandomEngine&)>;
+
+double student(RandomEngine& engine, int degrees) {
+  double squares = 0;
+  for (int i = 0; i < degrees; ++i) squares += std::pow(standard_normal(engine), 2);
+  return standard_normal(engine) / std::sqrt(squares / degrees);
+}
+
+double exponential(RandomEngine& engine) { return -std::log1p(-uniform_unit(engine)); }
+
+std::vector<double> noise_series(RandomEngine& engine, std::size_t nights, const Noise& noise) {
+  std::vector<double> series(nights);
+  for (double& value : series) value = noise(engine);
+  return series;
+}
+
+// Normal with variance 1 and this correlation between neighbours.
+std::vector<double> remembering_series(RandomEngine& engine, std::size_t nights, double correlation) {
+  std::vector<double> series = noise_series(engine, nights, standard_normal);
+  const double fresh = std::sqrt(1 - correlation * correlation);
+  for (std::size_t i = 1; i < nights; ++i) series[i] = correlation * series[i - 1] + fresh * series[i];
+  return series;
+}
+
+int alarms(int series_count, const std::function<std::vector<double>(RandomEngine&)>& make) {
+  RandomEngine engine = make_engine("change_points_test", 1);
+  int count = 0;
+  for (int i = 0; i < series_count; ++i) count += !find_steps(make(engine)).empty();
+  return count;
+}
+
+int alarms_of_noise(int series_count, const Noise& noise) {
+  return alarms(series_count, [&](RandomEngine& engine) { return noise_series(engine, kNights, noise); });
+}
+
+struct Detections {
+  int found = 0;  ///< exactly one step, within two nights of the true one
+  int exact = 0;  ///< on the very night
+};
+
+Detections detections(double height, std::size_t nights, std::size_t first, int series_count = 200) {
+  RandomEngine engine = make_engine("change_points_test", 2);
+  Detections result;
+  for (int i = 0; i < series_count; ++i) {
+    std::vector<double> series = noise_series(engine, nights, standard_normal);
+    for (std::size_t night = first; night < nights; ++night) series[night] += height;
+    const std::vector<Step> steps = find_steps(series);
+    if (steps.size() != 1) continue;
+    result.found += steps[0].first + 2 >= first && steps[0].first <= first + 2;
+    result.exact += steps[0].first == first;
+  }
+  return result;
+}
+
+TEST(ChangePoints, FindsAStepAndItsLevels) {
+  std::vector<double> series;
+  for (int i = 0; i < 40; ++i) series.push_back((i < 24 ? 10.0 : 11.0) + 0.02 * ((i * 7) % 5 - 2));
+  const std::vector<Step> steps = find_steps(series);
+  ASSERT_EQ(steps.size(), 1u);
+  EXPECT_EQ(steps[0].first, 24u);
+  EXPECT_NEAR(steps[0].before, 10, 0.021);
+  EXPECT_NEAR(steps[0].after, 11, 0.021);
+}
+
+TEST(ChangePoints, FindsSeveralSteps) {
+  std::vector<double> series;
+  for (int i = 0; i < 60; ++i) {
+    const double level = i < 15 ? 5 : i < 30 ? 6 : i < 45 ? 4 : 7;
+    series.push_back(level + 0.05 * ((i * 7) % 5 - 2));
+  }
+  const std::vector<Step> steps = find_steps(series);
+  ASSERT_EQ(steps.size(), 3u);
+  EXPECT_EQ(steps[0].first, 15u);
+  EXPECT_EQ(steps[1].first, 30u);
+  EXPECT_EQ(steps[2].first, 45u);
+  EXPECT_GT(steps[2].after, steps[2].before);
+}
+
+TEST(ChangePoints, SpikesAreNoSteps) {
+  RandomEngine engine = make_engine("change_points_test", 3);
+  for (int i = 0; i < 100; ++i) {
+    std::vector<double> series = noise_series(engine, kNights, standard_normal);
+    const std::size_t place = uniform_below(engine, kNights - 1);
+    series[place] += 1000;
+    series[place + 1] += i % 2 == 0 ? 0 : 1000;  // two in a row, the last night included
+    EXPECT_TRUE(find_steps(series).empty()) << i;
+  }
+}
+
+TEST(ChangePoints, ADriftBecomesAStaircaseInItsDirection) {
+  RandomEngine engine = make_engine("change_points_test", 4);
+  int with_steps = 0;
+  for (int i = 0; i < 100; ++i) {
+    std::vector<double> series = noise_series(engine, kNights, standard_normal);
+    for (std::size_t night = 0; night < kNights; ++night) series[night] += 0.15 * static_cast<double>(night);
+    const std::vector<Step> steps = find_steps(series);
+    with_steps += !steps.empty();
+    for (const Step& step : steps) EXPECT_GT(step.after, step.before);
+  }
+  EXPECT_GE(with_steps, 95);
+}
+
+TEST(ChangePoints, EqualAndShortSeriesHaveNone) {
+  EXPECT_TRUE(find_steps({}).empty());
+  EXPECT_TRUE(find_steps(std::vector<double>{1, 9, 1, 9, 9}).empty());
+  EXPECT_TRUE(find_steps(std::vector<double>(30, 3.5)).empty());
+}
+
+TEST(ChangePoints, SeriesThatAreMostlyEqual) {
+  std::vector<double> series(20, 5.0);
+  std::fill(series.begin() + 12, series.end(), 6.0);
+  const std::vector<Step> steps = find_steps(series, {24, 3, 0.01});
+  ASSERT_EQ(steps.size(), 1u);
+  EXPECT_EQ(steps[0].first, 12u);
+  EXPECT_TRUE(find_steps(series, {24, 3, 5.0}).empty()) << "less than the noise allowed for";
+}
+
+TEST(ChangePoints, ExactSeriesStepAtEveryChangeThatStays) {
+  EXPECT_TRUE(find_exact_steps(std::vector<double>{2, 2, 2}).empty());
+  EXPECT_TRUE(find_exact_steps(std::vector<double>{2, 2, 3, 2, 2}).empty());
+  const std::vector<Step> steps = find_exact_steps(std::vector<double>{2, 2, 3, 3, 3, 2.5});
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_EQ(steps[0].first, 2u);
+  EXPECT_EQ(steps[1].first, 5u);
+  EXPECT_EQ(steps[1].before, 3);
+  EXPECT_EQ(steps[1].after, 2.5);
+}
+
+TEST(ChangePoints, RefusesWhatIsNoSeries) {
+  EXPECT_THROW((void)find_steps(std::vector<double>(9, std::nan(""))), std::invalid_argument);
+  EXPECT_THROW((void)find_steps(std::vector<double>(9, 1.0), {0, 3, 0}), std::invalid_argument);
+}
+
+// A step of three times the noise is a slowdown of 10% where times scatter by 3%.
+TEST(ChangePoints, DetectionRates) {
+  EXPECT_GE(detections(10.0 / 3, 40, 24).found, 190);
+  EXPECT_GE(detections(10.0 / 3, 40, 24).exact, 165);
+  EXPECT_GE(detections(10.0 / 3, 40, 34).found, 100) << "six nights after the step";
+  EXPECT_GE(detections(5, 40, 36).found, 150) << "four nights after a step of five times the noise";
+  EXPECT_GE(detections(2, 60, 30).found, 130);
+}
+
+TEST(ChangePointsSlow, FalseAlarmsOfIndependentNoiseAreAtMostOneInAThousand) {
+  const int count = 5000;
+  const auto spiky = [](RandomEngine& engine) {
+    return standard_normal(engine) + (uniform_unit(engine) < 0.05 ? 10 * exponential(engine) : 0.0);
+  };
+  EXPECT_LE(alarms_of_noise(count, standard_normal), count / 1000);
+  EXPECT_LE(alarms_of_noise(count, [](RandomEngine& engine) { return student(engine, 3); }), count / 1000);
+  EXPECT_LE(alarms_of_noise(count, [](RandomEngine& engine) { return student(engine, 2); }), count / 1000);
+  EXPECT_LE(alarms_of_noise(count, [](RandomEngine& e) { return exponential(e) - exponential(e); }), count / 1000);
+  EXPECT_LE(alarms_of_noise(count, [](RandomEngine& e) { return exponential(e) + 0.3 * standard_normal(e); }),
+            count / 1000);
+  EXPECT_LE(alarms_of_noise(count, [](RandomEngine& e) { return std::round(standard_normal(e)); }), count / 1000);
+  EXPECT_LE(alarms_of_noise(count, spiky), count / 1000);
+}
+
+TEST(ChangePointsSlow, FalseAlarmsOfNoiseThatRemembers) {
+  const int count = 5000;
+  const auto remembering = [](double correlation) {
+    return [=](RandomEngine& engine) { return remembering_series(engine, kNights, correlation); };
+  };
+  EXPECT_LE(alarms(count, remembering(0.3)), 4 * count / 1000);
+  EXPECT_LE(alarms(count, remembering(0.6)), 80 * count / 1000);
+}
+
+}  // namespace
+}  // namespace mwt

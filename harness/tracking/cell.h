@@ -1,0 +1,36 @@
+// A cell of a study: one algorithm with its parameters on one instance. What is compared, and followed over the nights.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/point.h"
+#include "harness/records.h"
+
+namespace mwt {
+
+struct Cell {
+  std::string algorithm;
+  std::string params;
+  std::string generator;
+  std::string generator_params;
+  Index n = 0;
+  std::uint64_t seed = 0;
+  int threads = 1;
+
+  friend auto operator<=>(const Cell&, const Cell&) = default;
+};
+
+[[nodiscard]] Cell cell_of(const RunRecord& record);
+
+/// "flip start=sweep", "uniform n=100 seed=1": the two halves of a cell for messages and tables.
+[[nodiscard]] std::string algorithm_label(const Cell& cell);
+[[nodiscard]] std::string instance_label(const Cell& cell);
+
+/// The records of every cell, in their order.
+[[nodiscard]] std::map<Cell, std::vector<const RunRecord*>> by_cell(const std::vector<RunRecord>& runs);
+
+}  // namespace mwt

@@ -1,0 +1,31 @@
+// What can be compared without statistics: quality, failures, memory.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/tracking/cell.h"
+#include "harness/tracking/measures.h"
+
+namespace mwt {
+
+struct Finding {
+  Cell cell;
+  Aspect aspect = Aspect::quality;
+  bool is_regression = false;
+  std::string text;  ///< "weight 12.5 -> 12.6", "timeout in 2 of 3 runs, before in none"
+};
+
+/// - Quality: heavier or lighter if the certified intervals of the weights (over all repetitions that were not stopped
+///   early) do not meet; told as alpha where both sides have proved optima. An optimum that every run of the base
+///   proved and no new one does is a regression.
+/// - Failures: a larger share of failed runs is a regression, a smaller one an improvement.
+/// - Memory: a regression if every new run has a larger peak than every run of the base by more than `threshold` and
+///   by more than a mebibyte (which pages of the system's libraries are resident differs by as much); an improvement
+///   likewise.
+///
+/// Precondition: both sides have runs, on the same instance.
+[[nodiscard]] std::vector<Finding> exact_findings(const Cell& cell, const std::vector<const RunRecord*>& base,
+                                                  const std::vector<const RunRecord*>& now, double threshold);
+
+}  // namespace mwt

@@ -1,0 +1,123 @@
+#include "harness/tracking/history.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "geometry/error.h"
+#include "harness/test_support.h"
+#include "harness/tracking/synthetic_nights_testing.h"
+
+namespace mwt {
+namespace {
+
+using testing::TemporaryFolder;
+using testing::write_text;
+
+Night small_night(int number) {
+  Night night{testing::synthetic_commit(number),        "env", "Abacus", "nightly",
+              "2026-01-" + std::to_string(10 + number), {}};
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    night.values.push_back({{"greedy", "k=1", "uniform", "", 100, seed, 1}, "wall_time_s", 0.1 * number, 3});
+  night.values.push_back({{"flip", "", "uniform", "", 100, ~std::uint64_t{0}, 2}, "failures", 0.5, 2});
+  return night;
+}
+
+class HistoryFile : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string path() const { return folder_.path("history.sqlite"); }
+  TemporaryFolder folder_;
+};
+
+void expect_equal(const Night& a, const Night& b) {
+  EXPECT_EQ(a.git_commit, b.git_commit);
+  EXPECT_EQ(a.environment, b.environment);
+  EXPECT_EQ(a.machine, b.machine);
+  EXPECT_EQ(a.study, b.study);
+  EXPECT_EQ(a.recorded_at, b.recorded_at);
+  EXPECT_EQ(a.values.size(), b.values.size());
+}
+
+TEST_F(HistoryFile, GivesBackWhatItGot) {
+  History(path(), History::Mode::write).add(small_night(1));
+  const std::vector<Night> nights = History(path(), History::Mode::read).nights();
+  ASSERT_EQ(nights.size(), 1u);
+  expect_equal(nights[0], small_night(1));
+  EXPECT_EQ(nights[0].values[0].cell, small_night(1).values.back().cell) << "ordered by algorithm; all seeds come back";
+  EXPECT_EQ(nights[0].values[1].value, 0.1);
+  EXPECT_EQ(nights[0].values[1].runs, 3u);
+}
+
+TEST_F(HistoryFile, IsIdempotentPerCommitEnvironmentAndStudy) {
+  History history(path(), History::Mode::write);
+  EXPECT_EQ(history.add(small_night(1)), History::Added::as_new);
+  EXPECT_EQ(history.add(small_night(1)), History::Added::unchanged);
+  Night other = small_night(1);
+  other.values[3].value = 7;
+  other.recorded_at = "2026-02-01";
+  EXPECT_EQ(history.add(other), History::Added::replaced);
+  EXPECT_EQ(history.add(small_night(1)), History::Added::outdated);
+  other.environment = "elsewhere";
+  EXPECT_EQ(history.add(other), History::Added::as_new);
+  const std::vector<Night> nights = history.nights();
+  ASSERT_EQ(nights.size(), 2u);
+  for (const Night& night : nights) {
+    EXPECT_EQ(night.values.size(), small_night(1).values.size());
+    EXPECT_EQ(night.recorded_at, "2026-02-01");
+  }
+}
+
+TEST_F(HistoryFile, NightsComeInTheOrderOfTimeWhateverTheOrderOfTracking) {
+  History history(path(), History::Mode::write);
+  for (const int number : {3, 1, 2}) history.add(small_night(number));
+  const std::vector<Night> nights = history.nights();
+  for (int i = 0; i < 3; ++i) expect_equal(nights[static_cast<std::size_t>(i)], small_night(i + 1));
+}
+
+// Forks a process that adds nights, first to last; it exits with 0 if it could.
+pid_t writer(const std::string& path, int first, int last) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  try {
+    for (int number = first; number <= last; ++number) History(path, History::Mode::write).add(small_night(number));
+  } catch (...) {
+    _exit(1);
+  }
+  _exit(0);
+}
+
+TEST_F(HistoryFile, ConcurrentWritersLoseNothing) {
+  std::vector<pid_t> writers;
+  for (int i = 0; i < 4; ++i) writers.push_back(writer(path(), 10 * i, 10 * i + 9));
+  for (const pid_t child : writers) {
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(History(path(), History::Mode::read).nights().size(), 40u);
+}
+
+TEST_F(HistoryFile, AKilledWriterLeavesWholeNights) {
+  for (int round = 0; round < 20; ++round) {
+    const pid_t child = writer(path(), 100 * round, 100 * round + 99);
+    usleep(static_cast<useconds_t>(1000 + 1700 * round));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    for (const Night& night : History(path(), History::Mode::write).nights())
+      ASSERT_EQ(night.values.size(), small_night(0).values.size());
+  }
+  EXPECT_EQ(History(path(), History::Mode::write).add(small_night(5000)), History::Added::as_new);
+}
+
+TEST_F(HistoryFile, RefusesWhatIsNoHistory) {
+  EXPECT_THROW(History(path(), History::Mode::read), InputError);
+  EXPECT_THROW(History("/no/such/folder/h.sqlite", History::Mode::write), InputError);
+  write_text(folder_.path("text"), std::string(5000, 'x'));
+  EXPECT_THROW(History(folder_.path("text"), History::Mode::write), InputError);
+  EXPECT_EQ(testing::read_text(folder_.path("text")), std::string(5000, 'x'));
+}
+
+}  // namespace
+}  // namespace mwt

@@ -1,0 +1,81 @@
+#include "harness/tracking/history_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include "geometry/number_text.h"
+#include "harness/csv.h"
+
+namespace mwt {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+CsvRow row_of(std::size_t position, const Night& night, const NightValue& value) {
+  const Cell& cell = value.cell;
+  return {std::to_string(position),
+          night.recorded_at,
+          night.git_commit,
+          night.environment,
+          night.machine,
+          night.study,
+          cell.algorithm,
+          cell.params,
+          std::to_string(cell.threads),
+          cell.generator,
+          cell.generator_params,
+          std::to_string(cell.n),
+          std::to_string(cell.seed),
+          value.measure,
+          number_text(value.value),
+          std::to_string(value.runs)};
+}
+
+Json json_of(const SeriesStep& step) {
+  const Cell& cell = step.key.cell;
+  return {{"params", cell.params},
+          {"threads", cell.threads},
+          {"generator", cell.generator},
+          {"generator_params", cell.generator_params},
+          {"n", cell.n},
+          {"measure", step.key.measure},
+          {"night", step.night},
+          {"before", step.before},
+          {"after", step.after}};
+}
+
+}  // namespace
+
+std::string history_csv(const std::vector<Night>& nights) {
+  std::string text =
+      csv_line({"night", "recorded_at", "git_commit", "environment", "machine", "study", "algorithm", "params",
+                "threads", "generator", "generator_params", "n", "seed", "measure", "value", "runs"});
+  for (std::size_t night = 0; night < nights.size(); ++night) {
+    for (const NightValue& value : nights[night].values) text += csv_line(row_of(night, nights[night], value));
+  }
+  return text;
+}
+
+std::string changes_json(const std::vector<Change>& changes, const std::vector<Night>& nights) {
+  Json array = Json::array();
+  for (const Change& change : changes) {
+    const Night& night = nights[change.night];
+    Json object = {{"study", change.study},
+                   {"environment", change.environment},
+                   {"algorithm", change.algorithm},
+                   {"aspect", name_of(change.aspect)},
+                   {"regression", change.is_regression},
+                   {"night", change.night},
+                   {"recorded_at", night.recorded_at},
+                   {"commit", night.git_commit},
+                   {"previous_commit", nights[change.previous_night].git_commit},
+                   {"factor", change.factor},
+                   {"text", describe(change, nights)},
+                   {"steps", Json::array()}};
+    for (const SeriesStep& step : change.steps) object["steps"].push_back(json_of(step));
+    array.push_back(std::move(object));
+  }
+  return array.dump(1) + '\n';
+}
+
+}  // namespace mwt

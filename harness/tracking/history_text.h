@@ -1,0 +1,21 @@
+// The history for other programs: plots, spreadsheets, the dashboard.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/tracking/changes.h"
+#include "harness/tracking/night.h"
+
+namespace mwt {
+
+/// One row per night, cell and measure, with a header: night (counted from 0), recorded_at, git_commit, environment,
+/// machine, study, algorithm, params, threads, generator, generator_params, n, seed, measure, value, runs.
+[[nodiscard]] std::string history_csv(const std::vector<Night>& nights);
+
+/// An array with one object per change: study, environment, algorithm, aspect, regression, night, recorded_at, commit,
+/// previous_commit, factor, text, and steps: [{params, threads, generator, generator_params, n, measure, night, before,
+/// after}].
+[[nodiscard]] std::string changes_json(const std::vector<Change>& changes, const std::vector<Night>& nights);
+
+}  // namespace mwt

@@ -1,0 +1,102 @@
+#include "harness/tracking/measures.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "geometry/error.h"
+#include "harness/statistics/quantile.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+bool is_repeatable(const RunRecord& run) { return run.status == RunStatus::ok && !run.stopped_early.value_or(false); }
+
+std::optional<double> if_ok(const RunRecord& run, const std::optional<double>& value) {
+  return run.status == RunStatus::ok ? value : std::nullopt;
+}
+
+std::optional<double> relative_time(const RunRecord& run) {
+  if (run.status != RunStatus::ok || !run.wall_time_s || !run.yardstick_time_s || *run.yardstick_time_s <= 0)
+    return std::nullopt;
+  return *run.wall_time_s / *run.yardstick_time_s;
+}
+
+std::optional<double> memory(const RunRecord& run) {
+  if (run.status != RunStatus::ok || !run.peak_rss_bytes) return std::nullopt;
+  return static_cast<double>(*run.peak_rss_bytes);
+}
+
+std::optional<double> proved_alpha(const RunRecord& run) {
+  return is_repeatable(run) && run.optimality == "proved" ? run.alpha_upper : std::nullopt;
+}
+
+std::optional<double> weight_of(const RunRecord& run) {
+  if (!is_repeatable(run) || !run.weight_lower || !run.weight_upper) return std::nullopt;
+  return Interval{*run.weight_lower, *run.weight_upper}.middle();
+}
+
+std::optional<double> failure(const RunRecord& run) {
+  if (run.status == RunStatus::not_applicable) return std::nullopt;
+  return is_failure(run.status) ? 1 : 0;
+}
+
+std::vector<Measure> make_measures() {
+  const auto wall = [](const RunRecord& run) { return if_ok(run, run.wall_time_s); };
+  const auto cpu = [](const RunRecord& run) {
+    return run.cpu_time_s > 0.0 ? if_ok(run, run.cpu_time_s) : std::nullopt;
+  };
+  return {
+      {"relative_time", "", Aspect::time, false, relative_time},
+      {"wall_time_s", "s", Aspect::time, false, wall},
+      {"cpu_time_s", "s", Aspect::time, false, cpu},
+      {"peak_rss_bytes", "bytes", Aspect::memory, false, memory},
+      {"alpha", "", Aspect::quality, true, proved_alpha},
+      {"weight", "", Aspect::quality, true, weight_of},
+      {"failures", "", Aspect::failures, true, failure},
+  };
+}
+
+}  // namespace
+
+std::string name_of(Aspect aspect) {
+  switch (aspect) {
+    case Aspect::time: return "time";
+    case Aspect::memory: return "memory";
+    case Aspect::quality: return "quality";
+    case Aspect::failures: return "failures";
+  }
+  return "";
+}
+
+std::span<const Measure> measures() {
+  static const std::vector<Measure> all = make_measures();
+  return all;
+}
+
+const Measure& measure_named(const std::string& name) {
+  std::vector<std::string> known;
+  for (const Measure& measure : measures()) {
+    if (measure.name == name) return measure;
+    known.push_back(measure.name);
+  }
+  throw InputError("unknown measure '" + name + "'; known: " + joined(known));
+}
+
+std::vector<double> values_of(const Measure& measure, const std::vector<const RunRecord*>& runs) {
+  std::vector<double> values;
+  for (const RunRecord* run : runs) {
+    if (const auto value = measure.of(*run)) values.push_back(*value);
+  }
+  return values;
+}
+
+std::optional<TypicalValue> typical(const Measure& measure, const std::vector<const RunRecord*>& runs) {
+  const std::vector<double> values = values_of(measure, runs);
+  if (values.empty()) return std::nullopt;
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  return TypicalValue{measure.aspect == Aspect::failures ? mean : median(values), values.size()};
+}
+
+}  // namespace mwt

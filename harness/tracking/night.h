@@ -1,0 +1,33 @@
+// One night: what one build measured on one machine in one study, a number per cell and measure.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "harness/tracking/cell.h"
+#include "harness/tracking/result_set.h"
+
+namespace mwt {
+
+struct NightValue {
+  Cell cell;
+  std::string measure;   ///< the name of one of measures()
+  double value = 0;      ///< median over the repetitions; for failures their share
+  std::size_t runs = 0;  ///< repetitions behind it
+};
+
+struct Night {
+  std::string git_commit;
+  std::string environment;  ///< fingerprint: hash of `machine` and of the number of jobs side by side
+  std::string machine;
+  std::string study;
+  std::string recorded_at;  ///< when its last run had ended
+  std::vector<NightValue> values;
+};
+
+/// The nights of a folder, usually one: its runs by commit, environment and study, ordered by time. Runs without an
+/// environment count as those of an unknown machine.
+[[nodiscard]] std::vector<Night> nights_of(const ResultSet& results);
+
+}  // namespace mwt
