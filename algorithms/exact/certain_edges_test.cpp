@@ -86,8 +86,8 @@ struct Crossing {
   Edge certain;
 };
 
-// Property (4), and that no other candidate crosses a certain edge either: not promised, but true of all these
-// families. Over pairs of edges whose boxes meet.
+// Of certain edges: property (4). Of other candidates: not promised, but true of families whose scales do not jump. Over
+// pairs of edges whose boxes meet.
 std::vector<Crossing> crossings_of_certain_edges(const CandidateGraph& graph) {
   struct BoxedEdge {
     Edge edge;
@@ -118,8 +118,11 @@ std::vector<Crossing> crossings_of_certain_edges(const CandidateGraph& graph) {
   return found;
 }
 
-void expect_nothing_crosses_certain_edges(const CandidateGraph& graph) {
+void expect_nothing_crosses_certain_edges(const CandidateGraph& graph, bool not_even_candidates) {
+  const std::vector<Edge> all_certain = edges_of_graph(graph, true);
   for (const auto& [candidate, certain] : crossings_of_certain_edges(graph)) {
+    const bool is_certain = std::binary_search(all_certain.begin(), all_certain.end(), candidate);
+    if (!is_certain && !not_even_candidates) continue;
     ADD_FAILURE() << "candidate " << candidate.a << ' ' << candidate.b << " crosses certain edge " << certain.a << ' '
                   << certain.b;
   }
@@ -134,18 +137,22 @@ void expect_certain_hull(const CandidateGraph& graph) {
   }
 }
 
-void expect_properties(const CandidateGraph& graph) {
+void expect_properties(const CandidateGraph& graph, bool scales_jump_in_it = false) {
   expect_symmetric(graph);
   expect_no_point_on_edges(graph);
   expect_stars_in_order(graph);
-  expect_nothing_crosses_certain_edges(graph);
+  expect_nothing_crosses_certain_edges(graph, !scales_jump_in_it);
   expect_certain_hull(graph);
+}
+
+bool scales_jump(const std::string& name) {
+  return name.starts_with("cluster_in_triangle") || name.starts_with("insertion_trap");
 }
 
 TEST(CertainEdges, HaveTheirPropertiesOnAllFamilies) {
   for (const auto& [name, points] : instances_of_all_families({3, 4, 5, 10, 30, 100, 200})) {
     SCOPED_TRACE(name);
-    expect_properties(candidate_graph(make_kd_order(points)));
+    expect_properties(candidate_graph(make_kd_order(points)), scales_jump(name));
     if (HasFailure()) return;
   }
 }
@@ -161,7 +168,7 @@ TEST(CertainEdges, HaveTheirPropertiesOnThousandsOfPoints) {
 TEST(CertainEdgesSlow, HaveTheirPropertiesOnManyInstances) {
   for (const auto& [name, points] : instances_of_all_families({8, 13, 20, 50, 150}, 10)) {
     SCOPED_TRACE(name);
-    expect_properties(candidate_graph(make_kd_order(points)));
+    expect_properties(candidate_graph(make_kd_order(points)), scales_jump(name));
     if (HasFailure()) return;
   }
 }

@@ -10,23 +10,23 @@ std::string with_parameters(const std::string& name, const std::string& paramete
 
 }  // namespace
 
-Cell cell_of(const RunRecord& record) {
+TrackedCell cell_of(const RunRecord& record) {
   return {record.algorithm, record.params, record.generator, record.generator_params,
           record.n,         record.seed,   record.threads};
 }
 
-std::string algorithm_label(const Cell& cell) {
+std::string algorithm_label(const TrackedCell& cell) {
   return with_parameters(cell.algorithm, cell.params) +
          (cell.threads == 1 ? "" : " threads=" + std::to_string(cell.threads));
 }
 
-std::string instance_label(const Cell& cell) {
+std::string instance_label(const TrackedCell& cell) {
   return with_parameters(cell.generator, cell.generator_params) + " n=" + std::to_string(cell.n) +
          " seed=" + std::to_string(cell.seed);
 }
 
-std::map<Cell, std::vector<const RunRecord*>> by_cell(const std::vector<RunRecord>& runs) {
-  std::map<Cell, std::vector<const RunRecord*>> cells;
+std::map<TrackedCell, std::vector<const RunRecord*>> by_cell(const std::vector<RunRecord>& runs) {
+  std::map<TrackedCell, std::vector<const RunRecord*>> cells;
   for (const RunRecord& run : runs) cells[cell_of(run)].push_back(&run);
   return cells;
 }

@@ -12,7 +12,7 @@
 
 namespace mwt {
 
-struct Cell {
+struct TrackedCell {
   std::string algorithm;
   std::string params;
   std::string generator;
@@ -21,16 +21,16 @@ struct Cell {
   std::uint64_t seed = 0;
   int threads = 1;
 
-  friend auto operator<=>(const Cell&, const Cell&) = default;
+  friend auto operator<=>(const TrackedCell&, const TrackedCell&) = default;
 };
 
-[[nodiscard]] Cell cell_of(const RunRecord& record);
+[[nodiscard]] TrackedCell cell_of(const RunRecord& record);
 
 /// "flip start=sweep", "uniform n=100 seed=1": the two halves of a cell for messages and tables.
-[[nodiscard]] std::string algorithm_label(const Cell& cell);
-[[nodiscard]] std::string instance_label(const Cell& cell);
+[[nodiscard]] std::string algorithm_label(const TrackedCell& cell);
+[[nodiscard]] std::string instance_label(const TrackedCell& cell);
 
 /// The records of every cell, in their order.
-[[nodiscard]] std::map<Cell, std::vector<const RunRecord*>> by_cell(const std::vector<RunRecord>& runs);
+[[nodiscard]] std::map<TrackedCell, std::vector<const RunRecord*>> by_cell(const std::vector<RunRecord>& runs);
 
 }  // namespace mwt

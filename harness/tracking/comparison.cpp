@@ -23,14 +23,14 @@ constexpr std::size_t kCellsToTellSpread = 5;  ///< fewer do not show how differ
 
 /// A cell that both sides have.
 struct CommonCell {
-  Cell cell;
+  TrackedCell cell;
   Runs base;
   Runs now;
 };
 
 /// A cell whose times are judged.
 struct TimedCell {
-  Cell cell;
+  TrackedCell cell;
   Repetitions base;
   Repetitions now;
 };
@@ -333,8 +333,8 @@ class Comparer {
 
   const ResultSet& base_;
   const ResultSet& now_;
-  std::map<Cell, Runs> runs_of_base_;
-  std::map<Cell, Runs> runs_of_now_;
+  std::map<TrackedCell, Runs> runs_of_base_;
+  std::map<TrackedCell, Runs> runs_of_now_;
   std::vector<CommonCell> common_;
   Comparison comparison_;
 };
@@ -354,7 +354,8 @@ std::string name_of(Verdict verdict) {
 }
 
 bool Comparison::has_exact_regression() const {
-  return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) { return finding.is_regression; });
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const ExactFinding& finding) { return finding.is_regression; });
 }
 
 bool Comparison::has_regression() const {

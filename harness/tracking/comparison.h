@@ -60,7 +60,7 @@ struct Comparison {
   std::vector<std::string> notes;  ///< what the reader must know: refusals, cells of one side only, no yardstick
   std::vector<TimeRow> algorithms;
   std::vector<TimeRow> cells;
-  std::vector<Finding> findings;
+  std::vector<ExactFinding> findings;
   std::size_t compared_cells = 0;
 
   [[nodiscard]] bool has_regression() const;        ///< of anything

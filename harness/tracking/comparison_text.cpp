@@ -43,7 +43,7 @@ CsvRow cell_cells(const TimeRow& row, const Comparison& comparison) {
           name_of(row.verdict)};
 }
 
-CsvRow finding_cells(const Finding& finding) {
+CsvRow finding_cells(const ExactFinding& finding) {
   return {algorithm_label(finding.cell), instance_label(finding.cell), finding.text,
           finding.is_regression ? "regression" : "improvement"};
 }
@@ -63,7 +63,7 @@ struct Section {
 std::vector<Section> sections_of(const Comparison& comparison, bool every_cell) {
   std::vector<Section> sections;
   Section findings{"quality, memory, failures", kFindingHeader, {1, 2, 3}, {}};
-  for (const Finding& finding : comparison.findings) findings.rows.push_back(finding_cells(finding));
+  for (const ExactFinding& finding : comparison.findings) findings.rows.push_back(finding_cells(finding));
   Section algorithms{"times by algorithm (" + comparison.time_measure + ")", kAlgorithmHeader, {5}, {}};
   for (const TimeRow& row : comparison.algorithms) algorithms.rows.push_back(algorithm_cells(row));
   Section cells{"times by cell (" + comparison.time_measure + ")", kCellHeader, {1, 8}, {}};
@@ -100,7 +100,7 @@ std::vector<std::string> told(const Comparison& comparison, Verdict verdict) {
     if (row.verdict == verdict && !covered)
       names.push_back("time of " + row.algorithm + " on " + row.instance + " x" + fixed(row.ratio.value, 3));
   }
-  for (const Finding& finding : comparison.findings) {
+  for (const ExactFinding& finding : comparison.findings) {
     if (finding.is_regression == (verdict == Verdict::regression))
       names.push_back(algorithm_label(finding.cell) + " on " + instance_label(finding.cell) + ": " + finding.text);
   }
@@ -121,7 +121,7 @@ Json json_of(const TimeRow& row) {
           {"verdict", name_of(row.verdict)}};
 }
 
-Json json_of(const Finding& finding) {
+Json json_of(const ExactFinding& finding) {
   return {{"algorithm", algorithm_label(finding.cell)},
           {"instance", instance_label(finding.cell)},
           {"aspect", name_of(finding.aspect)},

@@ -37,7 +37,7 @@ std::size_t proved(const Runs& runs) {
       std::count_if(runs.begin(), runs.end(), [](const RunRecord* run) { return run->optimality == "proved"; }));
 }
 
-void compare_quality(const Cell& cell, const Runs& base, const Runs& now, std::vector<Finding>& findings) {
+void compare_quality(const TrackedCell& cell, const Runs& base, const Runs& now, std::vector<ExactFinding>& findings) {
   const auto before = weights_of(base);
   const auto after = weights_of(now);
   if (before && after && (after->lower > before->upper || after->upper < before->lower)) {
@@ -74,7 +74,7 @@ struct Failures {
   }
 };
 
-void compare_failures(const Cell& cell, const Runs& base, const Runs& now, std::vector<Finding>& findings) {
+void compare_failures(const TrackedCell& cell, const Runs& base, const Runs& now, std::vector<ExactFinding>& findings) {
   const Failures before(base);
   const Failures after(now);
   const std::size_t share_before = before.count * after.runs;
@@ -88,8 +88,8 @@ bool is_clearly_larger(double larger, double smaller, double threshold) {
   return larger > smaller * (1 + threshold) + kMemorySlack;
 }
 
-void compare_memory(const Cell& cell, const Runs& base, const Runs& now, double threshold,
-                    std::vector<Finding>& findings) {
+void compare_memory(const TrackedCell& cell, const Runs& base, const Runs& now, double threshold,
+                    std::vector<ExactFinding>& findings) {
   const Measure& memory = measure_named("peak_rss_bytes");
   const std::vector<double> before = values_of(memory, base);
   const std::vector<double> after = values_of(memory, now);
@@ -105,8 +105,8 @@ void compare_memory(const Cell& cell, const Runs& base, const Runs& now, double 
 
 }  // namespace
 
-std::vector<Finding> exact_findings(const Cell& cell, const Runs& base, const Runs& now, double threshold) {
-  std::vector<Finding> findings;
+std::vector<ExactFinding> exact_findings(const TrackedCell& cell, const Runs& base, const Runs& now, double threshold) {
+  std::vector<ExactFinding> findings;
   compare_quality(cell, base, now, findings);
   compare_failures(cell, base, now, findings);
   compare_memory(cell, base, now, threshold, findings);

@@ -9,8 +9,8 @@
 
 namespace mwt {
 
-struct Finding {
-  Cell cell;
+struct ExactFinding {
+  TrackedCell cell;
   Aspect aspect = Aspect::quality;
   bool is_regression = false;
   std::string text;  ///< "weight 12.5 -> 12.6", "timeout in 2 of 3 runs, before in none"
@@ -25,7 +25,8 @@ struct Finding {
 ///   likewise.
 ///
 /// Precondition: both sides have runs, on the same instance.
-[[nodiscard]] std::vector<Finding> exact_findings(const Cell& cell, const std::vector<const RunRecord*>& base,
-                                                  const std::vector<const RunRecord*>& now, double threshold);
+[[nodiscard]] std::vector<ExactFinding> exact_findings(const TrackedCell& cell,
+                                                       const std::vector<const RunRecord*>& base,
+                                                       const std::vector<const RunRecord*>& now, double threshold);
 
 }  // namespace mwt

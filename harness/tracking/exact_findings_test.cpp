@@ -14,7 +14,7 @@ RunRecord good_run() {
   return run;
 }
 
-std::vector<Finding> findings(const std::vector<RunRecord>& base, const std::vector<RunRecord>& now) {
+std::vector<ExactFinding> findings(const std::vector<RunRecord>& base, const std::vector<RunRecord>& now) {
   std::vector<const RunRecord*> before, after;
   for (const RunRecord& run : base) before.push_back(&run);
   for (const RunRecord& run : now) after.push_back(&run);

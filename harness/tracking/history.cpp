@@ -127,13 +127,13 @@ std::vector<NightValue> values_of_night(const std::string& path, sqlite3* databa
   rows.bind(night);
   std::vector<NightValue> values;
   while (rows.step()) {
-    const Cell cell{rows.text(0),
-                    rows.text(1),
-                    rows.text(2),
-                    rows.text(3),
-                    static_cast<Index>(rows.integer(4)),
-                    static_cast<std::uint64_t>(rows.integer(5)),
-                    static_cast<int>(rows.integer(6))};
+    const TrackedCell cell{rows.text(0),
+                           rows.text(1),
+                           rows.text(2),
+                           rows.text(3),
+                           static_cast<Index>(rows.integer(4)),
+                           static_cast<std::uint64_t>(rows.integer(5)),
+                           static_cast<int>(rows.integer(6))};
     values.push_back({cell, rows.text(7), rows.number(8), static_cast<std::size_t>(rows.integer(9))});
   }
   return values;
@@ -168,7 +168,7 @@ class NightWriter {
   }
 
  private:
-  std::int64_t id_of(const Cell& cell) {
+  std::int64_t id_of(const TrackedCell& cell) {
     const auto bind = [&](Statement& statement) -> Statement& {
       return statement.bind(cell.algorithm, cell.params, cell.generator, cell.generator_params, std::int64_t{cell.n},
                             signed_seed(cell.seed), std::int64_t{cell.threads});

@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 CsvRow row_of(std::size_t position, const Night& night, const NightValue& value) {
-  const Cell& cell = value.cell;
+  const TrackedCell& cell = value.cell;
   return {std::to_string(position),
           night.recorded_at,
           night.git_commit,
@@ -32,7 +32,7 @@ CsvRow row_of(std::size_t position, const Night& night, const NightValue& value)
 }
 
 Json json_of(const SeriesStep& step) {
-  const Cell& cell = step.key.cell;
+  const TrackedCell& cell = step.key.cell;
   return {{"params", cell.params},
           {"threads", cell.threads},
           {"generator", cell.generator},

@@ -29,7 +29,7 @@ NightKey key_of(const ResultSet& results, const RunRecord& run) {
 }
 
 void add_values(Night& night, const std::vector<const RunRecord*>& runs) {
-  std::map<Cell, std::vector<const RunRecord*>> cells;
+  std::map<TrackedCell, std::vector<const RunRecord*>> cells;
   for (const RunRecord* run : runs) {
     cells[cell_of(*run)].push_back(run);
     night.recorded_at = std::max(night.recorded_at, run->recorded_at);

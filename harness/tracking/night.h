@@ -11,7 +11,7 @@
 namespace mwt {
 
 struct NightValue {
-  Cell cell;
+  TrackedCell cell;
   std::string measure;   ///< the name of one of measures()
   double value = 0;      ///< median over the repetitions; for failures their share
   std::size_t runs = 0;  ///< repetitions behind it

@@ -13,7 +13,7 @@ namespace mwt {
 struct SeriesKey {
   std::string study;
   std::string environment;
-  Cell cell;  ///< its seed is 0: all seeds together
+  TrackedCell cell;  ///< its seed is 0: all seeds together
   std::string measure;
 
   friend auto operator<=>(const SeriesKey&, const SeriesKey&) = default;
