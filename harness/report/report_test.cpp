@@ -154,6 +154,13 @@ TEST(Tables, LookAsTheyShould) {
   EXPECT_NE(cell_tables(summarise(cells_of(runs)), labels).find("50%               2.00\n"), std::string::npos);
 }
 
+TEST(Tables, AHundredPercentMeansAll) {
+  std::vector<RunRecord> runs;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) runs.push_back(ok_run("sweep", 10, seed, 1, seed == 1 ? 2 : 1));
+  const std::vector<Cell> cells = cells_of(runs);
+  EXPECT_NE(algorithm_table(cells, Labels(cells)).find(" 99%\n"), std::string::npos);
+}
+
 TEST(Tables, ExponentsHaveNoNegativeZeros) {
   std::vector<RunRecord> runs = power_law_runs();
   for (RunRecord& run : runs) run.alpha_upper = *run.alpha_upper + 1e-6 / run.n;

@@ -18,7 +18,11 @@ constexpr int kAlphaDigits = 5;
 constexpr int kExponentDigits = 3;
 constexpr const char* kNothing = "-";
 
-std::string percent(double share) { return fixed(100 * share, 0) + '%'; }
+// 0% and 100% mean none and all.
+std::string percent(double share) {
+  const double rounded = std::round(100 * share);
+  return fixed(share > 0 && share < 1 ? std::clamp(rounded, 1.0, 99.0) : rounded, 0) + '%';
+}
 
 std::string duration(const std::optional<Statistic>& time) {
   return time ? readable_duration(time->estimate.value) : kNothing;
