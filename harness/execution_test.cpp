@@ -50,10 +50,11 @@ TEST(Execution, RepetitionDoesNotAddToThePeakOfMemory) {
     solution.count.emplace(std::size_t{1} << 24, '7');
     return solution;
   });
-  const Execution once = execute_once(request_for(large), instance.set.points);
+  // The first solution is released before the second is made.
+  const std::uint64_t once = execute_once(request_for(large), instance.set.points).peak_rss_bytes;
   const Execution repeated = execute_repeatedly(request_for(large), instance.set.points, 0.3);
   EXPECT_GT(repeated.iterations, 1u);
-  EXPECT_LT(repeated.peak_rss_bytes, once.peak_rss_bytes + (std::uint64_t{1} << 23));
+  EXPECT_LT(repeated.peak_rss_bytes, once + (std::uint64_t{1} << 23));
 }
 
 TEST(Execution, WhatAnAlgorithmThrowsComesOut) {
