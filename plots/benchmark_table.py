@@ -51,8 +51,9 @@ def gap(cells):
     rated = [n for n, row in cells.items() if "alpha_upper" in row]
     if not rated:
         return "-"
-    excess = cells[max(rated)]["alpha_upper"] - 1
-    return f"{100 * excess:.2g}% at {max(rated):,}"
+    percent = 100 * (cells[max(rated)]["alpha_upper"] - 1)
+    text = "< 1e-10%" if percent < 1e-10 else f"{percent:,.0f}%" if percent > 100 else f"{percent:.2g}%"
+    return f"{text} at {max(rated):,}"
 
 
 def print_table(cells, sizes):

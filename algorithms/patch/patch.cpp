@@ -76,6 +76,7 @@ class PatchSearch {
 
   void try_patch(Halfedge h) {
     polygon_.grow(h, options_.k, options_.walls ? kWallMark : 0);
+    if (is_known_to_fail()) return;
     ++result_.patches;
     // No patch reaches beyond an enclosed one, and this one will be optimal: nothing is left to do for its triangles.
     if (polygon_.is_enclosed()) {
@@ -83,12 +84,27 @@ class PatchSearch {
     }
     if (!polygon_.improve()) return;
     ++result_.improved;
+    failed_.fill(0);
     if (polygon_.is_enclosed()) return;
     for (const Halfedge side : polygon_.boundary()) {
       enqueue(side);
       if (!is_outer(twin(side))) enqueue(twin(side));
     }
     for (const MeshEdge e : polygon_.inner()) enqueue(2 * e);
+  }
+
+  // Whether a patch of the same triangles was tried since the last improvement, which is so for one in five; remembers
+  // this one. A collision of 64-bit sums would spare a patch that another start may still find.
+  bool is_known_to_fail() {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t triangle : polygon_.triangles()) {
+      const std::uint64_t mixed = (triangle + 1) * 0x9e3779b97f4a7c15ULL;
+      sum += (mixed ^ (mixed >> 29)) * 0xbf58476d1ce4e5b9ULL;
+    }
+    std::uint64_t& place = failed_[sum >> (64 - kFailedBits)];
+    const bool is_known = place == sum;
+    place = sum;
+    return is_known;
   }
 
   bool out_of_time() {
@@ -106,6 +122,8 @@ class PatchSearch {
   const Context& context_;
   PatchPolygon polygon_;
   float least_squared_length_ = 0;
+  static constexpr int kFailedBits = 8;
+  std::array<std::uint64_t, 1U << kFailedBits> failed_{};
   std::vector<Halfedge> queue_;
   PatchResult result_;
 };
