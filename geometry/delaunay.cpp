@@ -9,11 +9,11 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 #include <utility>
 
 #include "geometry/convex_hull.h"
+#include "geometry/cpu_clock.h"
 #include "geometry/error.h"
 
 namespace mwt {
@@ -103,13 +103,12 @@ Triangulation constrained_delaunay_triangulation(Points points, std::span<const 
 }
 
 double measure_yardstick_s(Points points) {
-  using Clock = std::chrono::steady_clock;
   const std::vector<Kernel::Point_2> cgal_points = to_cgal(points);
-  const auto start = Clock::now();
+  const double start = process_cpu_time_s();
   const CGAL::Delaunay_triangulation_2<Kernel> triangulation(cgal_points.begin(), cgal_points.end());
-  const std::chrono::duration<double> elapsed = Clock::now() - start;
+  const double end = process_cpu_time_s();
   if (triangulation.dimension() < 0) throw std::logic_error("the yardstick needs points");
-  return elapsed.count();
+  return end - start;
 }
 
 }  // namespace mwt

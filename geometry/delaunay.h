@@ -15,8 +15,8 @@ namespace mwt {
 /// Preconditions: as above; no two constraints cross, none passes through a point, otherwise std::logic_error.
 [[nodiscard]] Triangulation constrained_delaunay_triangulation(Points points, std::span<const Edge> constraints);
 
-/// The yardstick: seconds that CGAL::Delaunay_triangulation_2<Epick>(first, last) takes on `points`, one thread, no
-/// vertex info, destruction excluded. One measurement; callers take the median of seven interleaved ones.
+/// The yardstick: processor seconds that CGAL::Delaunay_triangulation_2<Epick>(first, last) takes on `points`, one
+/// thread, no vertex info, destruction excluded. One measurement; callers take the median of seven interleaved ones.
 [[nodiscard]] double measure_yardstick_s(Points points);
 
 }  // namespace mwt

@@ -2,25 +2,19 @@
 
 #include <benchmark/benchmark.h>
 
-#include <ctime>
 #include <exception>
 #include <stdexcept>
 #include <utility>
 
 #include "geometry/checker.h"
 #include "geometry/convex_hull.h"
+#include "geometry/cpu_clock.h"
 #include "geometry/weight.h"
 #include "harness/peak_memory.h"
 
 namespace mwt {
 
 namespace {
-
-double process_cpu_time_s() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 Context make_context(const Request& request) {
   Context context;

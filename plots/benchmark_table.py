@@ -4,7 +4,7 @@
     build/release/mwt_benchmark --benchmark_filter='/uniform/' --benchmark_out=FILE.json
     plots/benchmark_table.py FILE.json [--family uniform] [--smallest_n 1000]
 
-One line per algorithm: over_yardstick at each n; the exponent fitted to the times (least squares of log time by
+One line per algorithm: over_yardstick at each n; the exponent fitted to the processor times (least squares of log time by
 log n); the gap, alpha_upper - 1, at the largest n with a certified alpha. `-` where a cell was skipped or not run.
 With --benchmark_repetitions the medians count. Needs nothing but Python.
 """
@@ -37,7 +37,7 @@ def read_cells(path, family):
 
 def exponent(cells):
     """The slope of log time by log n, empty for fewer than two sizes."""
-    pairs = [(math.log(n), math.log(row["real_time"] * MILLISECONDS[row["time_unit"]])) for n, row in cells.items()]
+    pairs = [(math.log(n), math.log(row["cpu_time"] * MILLISECONDS[row["time_unit"]])) for n, row in cells.items()]
     if len(pairs) < 2:
         return "-"
     mean_x = sum(x for x, _ in pairs) / len(pairs)
@@ -51,8 +51,9 @@ def gap(cells):
     rated = [n for n, row in cells.items() if "alpha_upper" in row]
     if not rated:
         return "-"
-    excess = cells[max(rated)]["alpha_upper"] - 1
-    return f"{100 * excess:.2g}% at {max(rated):,}"
+    percent = 100 * (cells[max(rated)]["alpha_upper"] - 1)
+    text = "< 1e-10%" if percent < 1e-10 else f"{percent:,.0f}%" if percent > 100 else f"{percent:.2g}%"
+    return f"{text} at {max(rated):,}"
 
 
 def print_table(cells, sizes):

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "algorithms/patch/patch_polygon.h"
@@ -15,14 +16,36 @@ namespace {
 
 constexpr std::array<std::uint32_t, 2> kQueuedMarks = {512, 1024};  // the triangle of this smallest halfedge waits
 
+Halfedge name_of_triangle(const PlanarMesh& mesh, Halfedge h) {
+  return std::min(h, std::min(mesh.next(h), mesh.previous(h)));
+}
+
+float longest_side(const PlanarMesh& mesh, Halfedge h) {
+  const auto squared = [&](Halfedge side) { return mesh.record(edge_of(side)).squared_length; };
+  return std::max(squared(h), std::max(squared(mesh.next(h)), squared(mesh.previous(h))));
+}
+
+// The squared length that one edge in `share` reaches.
+float long_squared_length(const PlanarMesh& mesh, std::size_t share) {
+  std::vector<float> lengths(mesh.edge_count());
+  for (MeshEdge e = 0; e < mesh.edge_count(); ++e) lengths[e] = mesh.record(e).squared_length;
+  const auto place = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / share);
+  std::nth_element(lengths.begin(), place, lengths.end(), std::greater<float>());
+  return *place;
+}
+
 class PatchSearch {
  public:
   PatchSearch(PlanarMesh& mesh, const PatchOptions& options, const Context& context)
       : mesh_(mesh), options_(options), context_(context), polygon_(mesh, options.k) {}
 
-  PatchResult run() {
-    for (Halfedge h = 0; h < 2 * mesh_.edge_count(); ++h) {
-      if (!is_outer(h) && name_of_triangle(h) == h) enqueue(h);
+  /// Only patches at triangles with a side of at least this squared length.
+  PatchResult run(float least_squared_length) {
+    least_squared_length_ = least_squared_length;
+    for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
+      if (mesh_.record(e).squared_length < least_squared_length) continue;
+      enqueue(2 * e);
+      if (!is_outer(2 * e + 1)) enqueue(2 * e + 1);
     }
     for (int pass = 0; !queue_.empty() && (options_.passes == 0 || pass < options_.passes); ++pass) {
       std::vector<Halfedge> round;
@@ -40,12 +63,9 @@ class PatchSearch {
  private:
   [[nodiscard]] bool is_outer(Halfedge h) const { return (h & 1) == 1 && mesh_.is_hull(edge_of(h)); }
 
-  [[nodiscard]] Halfedge name_of_triangle(Halfedge h) const {
-    return std::min(h, std::min(mesh_.next(h), mesh_.previous(h)));
-  }
-
   void enqueue(Halfedge h) {
-    const Halfedge name = name_of_triangle(h);
+    const Halfedge name = name_of_triangle(mesh_, h);
+    if (longest_side(mesh_, name) < least_squared_length_) return;
     std::uint32_t& marks = mesh_.marks(edge_of(name));
     if ((marks & kQueuedMarks[name & 1]) != 0) return;
     marks |= kQueuedMarks[name & 1];
@@ -56,6 +76,7 @@ class PatchSearch {
 
   void try_patch(Halfedge h) {
     polygon_.grow(h, options_.k, options_.walls ? kWallMark : 0);
+    if (is_known_to_fail()) return;
     ++result_.patches;
     // No patch reaches beyond an enclosed one, and this one will be optimal: nothing is left to do for its triangles.
     if (polygon_.is_enclosed()) {
@@ -63,12 +84,27 @@ class PatchSearch {
     }
     if (!polygon_.improve()) return;
     ++result_.improved;
+    failed_.fill(0);
     if (polygon_.is_enclosed()) return;
     for (const Halfedge side : polygon_.boundary()) {
       enqueue(side);
       if (!is_outer(twin(side))) enqueue(twin(side));
     }
     for (const MeshEdge e : polygon_.inner()) enqueue(2 * e);
+  }
+
+  // Whether a patch of the same triangles was tried since the last improvement, which is so for one in five; remembers
+  // this one. A collision of 64-bit sums would spare a patch that another start may still find.
+  bool is_known_to_fail() {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t triangle : polygon_.triangles()) {
+      const std::uint64_t mixed = (triangle + 1) * 0x9e3779b97f4a7c15ULL;
+      sum += (mixed ^ (mixed >> 29)) * 0xbf58476d1ce4e5b9ULL;
+    }
+    std::uint64_t& place = failed_[sum >> (64 - kFailedBits)];
+    const bool is_known = place == sum;
+    place = sum;
+    return is_known;
   }
 
   bool out_of_time() {
@@ -85,6 +121,9 @@ class PatchSearch {
   PatchOptions options_;
   const Context& context_;
   PatchPolygon polygon_;
+  float least_squared_length_ = 0;
+  static constexpr int kFailedBits = 8;
+  std::array<std::uint64_t, 1U << kFailedBits> failed_{};
   std::vector<Halfedge> queue_;
   PatchResult result_;
 };
@@ -97,7 +136,13 @@ PatchOptions options_of(const Parameters& parameters) {
   }
   if (passes < 0 || passes > 1'000'000)
     throw InputError("patch: passes=" + std::to_string(passes) + " is not between 0 and 1000000");
+  const std::int64_t long_k = parameters.integer("long_k");
+  if (long_k < 0 || long_k > kLargestPatch) {
+    throw InputError("patch: long_k=" + std::to_string(long_k) + " is not between 0 and " +
+                     std::to_string(kLargestPatch));
+  }
   options.k = static_cast<int>(k);
+  options.long_k = static_cast<int>(long_k == 0 ? std::min<std::int64_t>(4 * k, kLargestPatch) : long_k);
   options.passes = static_cast<int>(passes);
   options.walls = parameters.text("walls") == "on";
   return options;
@@ -123,7 +168,13 @@ Solution run_patch(Points points, Context& context) {
 }  // namespace
 
 PatchResult improve_by_patches(PlanarMesh& mesh, const PatchOptions& options, const Context& context) {
-  return PatchSearch(mesh, options, context).run();
+  PatchResult result = PatchSearch(mesh, options, context).run(0);
+  if (options.long_k <= options.k || result.stopped_early) return result;
+  constexpr std::size_t kLongShare = 500;
+  PatchOptions of_long = options;
+  of_long.k = options.long_k;
+  const PatchResult last = PatchSearch(mesh, of_long, context).run(long_squared_length(mesh, kLongShare));
+  return {result.patches + last.patches, result.improved + last.improved, last.stopped_early};
 }
 
 AlgorithmInfo patch_entry() {
@@ -138,11 +189,13 @@ AlgorithmInfo patch_entry() {
       "never worse than its start: with start=greedy the O(sqrt n) of greedy (Levcopoulos, Krznaric 1998); optimal if "
       "one "
       "patch covers a convex polygon";
+  info.version = 2;
   info.time = "O(n k^3) per pass; a few passes in practice";
   info.space = "O(n + k^2)";
   info.largest_n = 10'000'000;
   info.parameters = {
       {"k", ParameterType::integer, "6", "triangles per patch, 2 to 128"},
+      {"long_k", ParameterType::integer, "0", "triangles per patch around the longest 0.2% of edges; 0: 4 k; 1: none"},
       start_parameter("greedy"),
       {"walls",
        ParameterType::choice,

@@ -8,6 +8,7 @@ namespace mwt {
 
 struct PatchOptions {
   int k = 6;          ///< triangles per patch, 2 .. kLargestPatch
+  int long_k = 0;     ///< if more than k: as many, in the end, around the longest edges
   int passes = 0;     ///< rounds at most; 0: until no patch improves
   bool walls = true;  ///< whether patches stop at edges with kWallMark (start/walls.h)
 };
@@ -23,7 +24,8 @@ struct PatchResult {
 /// Shortens the triangulation patch by patch. Around every triangle the k triangles nearest in the dual graph are
 /// taken; they form a weakly simple polygon of at most k + 2 corners (edges between two of them that breadth-first
 /// search did not cross are kept as slits), which dynamic programming triangulates optimally in O(k^3). Triangles
-/// around an improvement are looked at again in the next round.
+/// around an improvement are looked at again in the next round. In the end, patches of long_k triangles at the longest
+/// 0.2% of the edges: between clusters few edges carry much of the weight, and small patches do not reach far enough.
 ///
 /// Why positive triangles suffice: they have the same oriented boundary as the patch, so they cover every place of it
 /// exactly once; no test for visibility is needed.

@@ -156,11 +156,27 @@ TEST(Patch, StopsAtTheDeadlineAndAfterItsPasses) {
             solve_checked(patch_entry(), points, {}).counters.at("patches"));
 }
 
+// Between clusters, a few long edges weigh as much as thousands of short ones.
+TEST(Patch, LargerPatchesAtLongEdgesOnlyHelp) {
+  std::size_t helped = 0;
+  for (const Shape& shape : shapes()) {
+    const std::vector<Point> points = make_shape(shape, 1500, 8);
+    const auto weight_with = [&](const std::string& long_k) {
+      return weight(points, solve_checked(patch_entry(), points, {{"long_k", long_k}}).triangulation);
+    };
+    const Interval without = weight_with("1"), with = weight_with("0");
+    EXPECT_LE(with.lower, without.upper) << shape.name;
+    helped += with.upper < without.lower ? 1 : 0;
+  }
+  EXPECT_GT(helped, 0U);
+}
+
 TEST(Patch, NamesBadParameters) {
   const std::vector<Point> points = make_shape(shapes().front(), 10, 6);
   EXPECT_THROW((void)solve_checked(patch_entry(), points, {{"k", "1"}}), InputError);
   EXPECT_THROW((void)solve_checked(patch_entry(), points, {{"k", "1000"}}), InputError);
   EXPECT_THROW((void)solve_checked(patch_entry(), points, {{"passes", "-1"}}), InputError);
+  EXPECT_THROW((void)solve_checked(patch_entry(), points, {{"long_k", "1000"}}), InputError);
 }
 
 }  // namespace

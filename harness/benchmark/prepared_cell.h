@@ -44,7 +44,7 @@ inline constexpr Index kLargestRatedN = 100'000;
 /// exact algorithms, half a minute each; once per instance.
 [[nodiscard]] PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell);
 
-/// The yardstick and an algorithm, timed in turns; ratios of the medians cancel what the machine does besides.
+/// The processor time of the yardstick and of an algorithm, in turns, so that what else the machine does cancels.
 class TimeOverYardstick {
  public:
   static constexpr std::size_t kYardsticks = 7;
