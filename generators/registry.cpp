@@ -18,6 +18,7 @@
 #include "generators/grid/grid.h"
 #include "generators/hexagonal_lattice/hexagonal_lattice.h"
 #include "generators/hull_bound_counterexample/hull_bound_counterexample.h"
+#include "generators/hunted/hunted.h"
 #include "generators/insertion_trap/insertion_trap.h"
 #include "generators/integer_circle/integer_circle.h"
 #include "generators/integer_uniform/integer_uniform.h"
@@ -74,6 +75,7 @@ std::span<const GeneratorInfo> generators() {
       delaunay_flip_stuck_entry(),
       insertion_trap_entry(),
       cluster_in_triangle_entry(),
+      hunted_entry(),
       report_example_entry(),
       local_search_figure_entry(),
       hull_bound_counterexample_entry(),

@@ -69,7 +69,7 @@ class ExactSolver {
     const ScopedPhase phase(context_, "lmt");
     LmtSkeleton skeleton = find_lmt_skeleton(order_, hull_edges, std::move(blocks), context_);
     counters_["lmt_checks"] = static_cast<double>(skeleton.counters.checks);
-    counters_["far_edges_deleted"] = static_cast<double>(delete_far_edges(skeleton.stars));
+    counters_["far_edges_deleted"] = static_cast<double>(delete_far_edges(order_.points, skeleton.stars));
     return skeleton;
   }
 

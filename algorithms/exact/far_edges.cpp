@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/exact/direction_bins.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 
@@ -35,23 +36,41 @@ void collect_neighbours(const Star& star, std::vector<Neighbour>& neighbours) {
                     [](const Neighbour& a, const Neighbour& b) { return a.square < b.square; });
 }
 
-// Whether both triangles of the edge to `far` hold a neighbour. Those at most a tenth as far away are under the rising
-// sides of the triangles; sine and tangent are compared with a margin far above what products of floats lose.
-bool is_excluded(const std::vector<Neighbour>& neighbours, const Neighbour& far) {
-  constexpr float kMargin = 1e-5F;
-  constexpr auto kTangent = static_cast<float>(kTangentOfDiamondAngle);
-  const std::size_t count = std::min(neighbours.size(), kWitnesses);
-  bool left = false, right = false;
-  for (std::size_t i = 0; i < count && neighbours[i].square * 100 < far.square && !(left && right); ++i) {
-    const Neighbour& near = neighbours[i];
+class FarEdgeTest {
+ public:
+  FarEdgeTest(Points points, Index v, const std::vector<Neighbour>& neighbours)
+      : points_(points), v_(v), neighbours_(neighbours) {}
+
+  // Whether both triangles of the edge to `far` hold a neighbour. Those at most a tenth as far away are under the
+  // rising sides of the triangles if their direction is near enough to that of the edge.
+  [[nodiscard]] bool is_excluded(const Neighbour& far) const {
+    const std::size_t count = std::min(neighbours_.size(), kWitnesses);
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < count && neighbours_[i].square * 100 < far.square && !(left && right); ++i) {
+      const int side = side_of(far, neighbours_[i]);
+      left = left || side > 0;
+      right = right || side < 0;
+    }
+    return left && right;
+  }
+
+ private:
+  // On which side of the edge a neighbour lies in the triangle; 0 if in neither, or if floats cannot tell.
+  [[nodiscard]] int side_of(const Neighbour& far, const Neighbour& near) const {
+    constexpr float kMargin = 1e-5F;  // far above what products of floats lose
+    constexpr auto kTangent = static_cast<float>(kTangentOfDiamondAngle);
     const float along = far.x * near.x + far.y * near.y;
     const float height = far.x * near.y - far.y * near.x;
-    const bool is_inside = std::abs(height) > kMargin * along && std::abs(height) < (kTangent - kMargin) * along;
-    left = left || (is_inside && height > 0);
-    right = right || (is_inside && height < 0);
+    const bool is_under_side = std::abs(height) < (kTangent - kMargin) * along;
+    if (!is_under_side) return 0;
+    if (std::abs(height) > kMargin * along) return height > 0 ? 1 : -1;
+    return orientation(points_[v_], points_[far.vertex], points_[near.vertex]);
   }
-  return left && right;
-}
+
+  Points points_;
+  Index v_;
+  const std::vector<Neighbour>& neighbours_;
+};
 
 void remove_target(Star& star, Index target) {
   std::uint32_t* const end = star.target() + star.count;
@@ -76,15 +95,16 @@ bool has_far_edges(const Star& star) {
 
 }  // namespace
 
-std::size_t delete_far_edges(StarTable& stars) {
+std::size_t delete_far_edges(Points points, StarTable& stars) {
   std::vector<std::pair<Index, Index>> excluded;
   std::vector<Neighbour> neighbours;
   for (Index v = 0; v < stars.stars.size(); ++v) {
     if (!has_far_edges(stars.stars[v])) continue;
     collect_neighbours(stars.stars[v], neighbours);
+    const FarEdgeTest test(points, v, neighbours);
     const float far = kFar * kFar * neighbours.front().square;
     for (const Neighbour& neighbour : neighbours) {
-      if (neighbour.square > far && is_excluded(neighbours, neighbour)) excluded.emplace_back(v, neighbour.vertex);
+      if (neighbour.square > far && test.is_excluded(neighbour)) excluded.emplace_back(v, neighbour.vertex);
     }
   }
   for (const auto& [v, w] : excluded) {

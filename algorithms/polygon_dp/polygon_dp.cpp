@@ -212,7 +212,7 @@ AlgorithmInfo polygon_dp_entry() {
   info.time = "O(n^3)";
   info.space = "O(n^2)";
   info.exactness = Exactness::exact;
-  info.largest_n = 2000;
+  info.largest_n = kLargestPolygon;
   info.convex_position_only = true;
   info.parameters = {{"objective",
                       ParameterType::choice,

@@ -19,7 +19,7 @@ GeneratorInfo insertion_trap_entry() {
                            .parameters = {},
                            .lowest = .95,
                            .highest = 1.05,
-                           .smallest_n = 256,
+                           .smallest_n = 128,
                            .largest_n = 4096}},
           .function = [](Index n, std::uint64_t, const Parameters&) { return insertion_trap_points(n); }};
 }

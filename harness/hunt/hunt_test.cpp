@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "geometry/delaunay.h"
@@ -73,6 +74,13 @@ TEST(Hunt, moves_change_points_and_keep_their_number) {
     unchanged += points == start;
   }
   EXPECT_LT(unchanged, 20);
+}
+
+TEST(Hunt, moves_do_not_let_coordinates_drift) {
+  RandomEngine engine = make_engine("test", 2);
+  std::vector<Point> points = random_start(6, engine);
+  for (int i = 0; i < 10'000; ++i) points = mutated(points, engine);
+  for (const Point& p : points) EXPECT_LT(std::abs(p.x - points[0].x) + std::abs(p.y - points[0].y), 8);
 }
 
 TEST(Hunt, finds_bad_inputs_and_repeats_itself) {

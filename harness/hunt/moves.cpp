@@ -32,6 +32,7 @@ class Mutation {
   std::vector<Point> run() {
     move();
     while (uniform_below(engine_, 3) == 0) move();
+    rescale();
     return std::move(points_);
   }
 
@@ -48,6 +49,14 @@ class Mutation {
       case 6: chosen = shifted(on_some_line()); break;
       default: stretch(); break;
     }
+  }
+
+  // Alpha does not depend on the scale, so steps that keep it would let the coordinates drift without end.
+  void rescale() {
+    const Box box = bounding_box(points_);
+    const double extent = box.extent();
+    if (!(extent > 0) || (extent > .25 && extent < 4)) return;
+    for (Point& p : points_) p = {(p.x - box.low.x) / extent, (p.y - box.low.y) / extent};
   }
 
   [[nodiscard]] double random_distance() { return box_.extent() * std::exp2(-13.3 * uniform_unit(engine_)); }
