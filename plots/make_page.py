@@ -6,8 +6,10 @@ file, by default RESULTS_FOLDER/report.html, and the figures to RESULTS_FOLDER/f
 python3-pandas and python3-matplotlib.
 """
 import argparse
+import os
 import pathlib
 import re
+import tomllib
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -24,8 +26,8 @@ BADGES = {
     "by citation": "open", "undecided": "open",
 }
 START_FILE = re.compile(r"start=(\S+\.csv)")  # sought beside the study file
-RUN_COMMAND = ("build/release/mwt generate {family} --n {n} --seed {seed}{family parameters options} -o points.csv\n"
-               "build/release/mwt solve points.csv --algorithm {algorithm} --seed {seed}{parameters options} --with-optimum")
+GENERATE_COMMAND = "build/release/mwt generate {family} --n {n} --seed {seed}{family parameters options} -o points.csv\n"
+SOLVE_COMMAND = "build/release/mwt solve points.csv --algorithm {algorithm} --seed {seed}{parameters options} --with-optimum"
 
 
 def badge(verdict):
@@ -145,18 +147,28 @@ def ranges(positions):
     return result
 
 
+def instance_folder(results):
+    """Where the study's point files are, for commands that are typed in the project's folder."""
+    study = tomllib.loads((results.folder / "study.toml").read_text(encoding="utf-8"))
+    folder = study.get("instances", {}).get("folder", ".")
+    return os.path.normpath(os.path.join("harness/studies", folder)) + "/"
+
+
 def runs_table(page, results, claim_rows):
     runs = results.runs.reset_index(drop=True)
+    files = instance_folder(results)
     place = {run_id: position for position, run_id in enumerate(runs["run_id"])}
     sets = {claim: ranges(place[run_id] for run_id in group["run_id"]) for claim, group in claim_rows.groupby("claim", sort=False)}
     columns = [{"title": "algorithm", "filter": True}, {"title": "parameters"}, {"title": "family", "filter": True},
                {"title": "family parameters"}, {"title": "n", "number": True, "filter": True}, {"title": "seed", "number": True},
                {"title": "status", "filter": True}, {"title": "time in ms", "number": True}, {"title": "alpha at most", "number": True},
                {"title": "optimal"}, {"title": "weight", "number": True}, {"title": "run"}]
-    rows = [[run.algorithm, START_FILE.sub(r"start=harness/studies/\1", run.params), run.generator, run.generator_params, run.n, run.seed, run.status, number(1e3 * run.wall_time_s, 3),
+    rows = [[run.algorithm, START_FILE.sub(r"start=harness/studies/\1", run.params), run.generator, run.generator_params.replace("file=", files), run.n, run.seed, run.status, number(1e3 * run.wall_time_s, 3),
              number(run.alpha_upper, 8), run.optimal if isinstance(run.optimal, str) else "", number(run.weight_upper, 12), run.run_id]
             for run in runs.itertuples()]
-    return page.data_table("runs-data", "all runs", columns, rows, sets=sets, sets_title="judged for claim", template=RUN_COMMAND)
+    return page.data_table("runs-data", "all runs", columns, rows, sets=sets, sets_title="judged for claim",
+                           templates={"": GENERATE_COMMAND + SOLVE_COMMAND, "file": SOLVE_COMMAND.replace("points.csv", "{family parameters}")},
+                           template_column="family")
 
 
 def reproduce_section(results):

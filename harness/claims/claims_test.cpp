@@ -120,6 +120,11 @@ TEST(Claims, C5FollowsTheGrowthOfGreedy) {
   EXPECT_EQ(verdict("C5", growing("sweep", "bad", 0.1, 1.3)), ClaimVerdict::undecided);
 }
 
+TEST(Claims, PointsFromFilesAreNoSeries) {
+  EXPECT_EQ(verdict("C5", growing("greedy", "file", 0.1, 1.3)), ClaimVerdict::undecided);
+  EXPECT_EQ(verdict("C6", growing("hull_insertion", "file", 0.1, 1.0)), ClaimVerdict::undecided);
+}
+
 TEST(Claims, C6FollowsTheGrowthOfInsertionBesideLogN) {
   EXPECT_EQ(verdict("C6", growing("hull_insertion", "trap", 0.1, 1.0)), ClaimVerdict::refuted);
   EXPECT_EQ(verdict("C6", growing("hull_insertion", "uniform", 1.0, 0.25)), ClaimVerdict::refuted);

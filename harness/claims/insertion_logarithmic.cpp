@@ -35,7 +35,7 @@ Finding judge(const StudyRecords& records) {
   finding.details.header = {"family", "sizes", "alpha ~ n^e: e (95%)", "alpha / log n ~ n^e: e (95%)", "largest alpha"};
   double steepest = -1;
   bool grows = false, all_bounded = true;
-  for (const auto& [family, runs] : by_family(finding.rows)) {
+  for (const auto& [family, runs] : by_growing_family(finding.rows)) {
     const auto law = growth_of(runs, alpha), over_log = growth_of(runs, alpha_over_log);
     if (!law || !over_log) continue;
     grows = grows || over_log->exponent.lower > kClearGrowth;

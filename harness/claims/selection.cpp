@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "harness/study/plan.h"
 #include "harness/text.h"
 
 namespace mwt {
@@ -39,10 +40,16 @@ Runs rated_runs(const StudyRecords& records, const RunTest& test) {
 
 RunGroups by_family(const Runs& runs) { return grouped_by(runs, &RunRecord::generator); }
 
+RunGroups by_growing_family(const Runs& runs) {
+  RunGroups groups = by_family(runs);
+  groups.erase(kFileGenerator);
+  return groups;
+}
+
 RunGroups by_algorithm(const Runs& runs) { return grouped_by(runs, &RunRecord::algorithm); }
 
 bool is_typical(const RunRecord& run) {
-  static const std::set<std::string, std::less<>> families = {"uniform", "normal", "clustered", "file", "tsplib"};
+  static const std::set<std::string, std::less<>> families = {"uniform", "normal", "clustered", kFileGenerator};
   return families.contains(run.generator);
 }
 

@@ -26,6 +26,9 @@ using RunGroups = std::map<std::string, Runs>;
 [[nodiscard]] RunGroups by_family(const Runs& runs);
 [[nodiscard]] RunGroups by_algorithm(const Runs& runs);
 
+/// By family, points from files left out: their sizes are no series in which anything could grow.
+[[nodiscard]] RunGroups by_growing_family(const Runs& runs);
+
 /// Uniform, normal, clustered, and points from files (TSPLIB): what a user's points may look like.
 [[nodiscard]] bool is_typical(const RunRecord& run);
 

@@ -54,7 +54,7 @@ class Commands : public ::testing::Test {
 
 TEST_F(Commands, MistakesOnTheCommandLine) {
   expect_mistake("", "no command");
-  expect_mistake("sovle x", "unknown command 'sovle'; known: list, generate, solve, check, draw, run");
+  expect_mistake("sovle x", "unknown command 'sovle'; known: list, generate, solve, check, draw, run, merge, report, hunt");
   expect_mistake("generate", "family is required");
   expect_mistake("generate uniform --n ten -o p.txt", "--n");
   expect_mistake("generate uniform --n -5 -o p.txt", "--n");
@@ -120,7 +120,7 @@ TEST_F(Commands, MistakesInStudies) {
   write("bad.toml", "name = \"bad\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [10]\nalgorithms = [\"no\"]\n");
   expect_mistake("run bad.toml", "bad.toml:5: unknown algorithm 'no'");
   expect_mistake("run missing.toml", "missing.toml");
-  expect_mistake("run no_such_study", "known: report, report_full");
+  expect_mistake("run no_such_study", "known: growth, report, report_full");
   EXPECT_FALSE(std::filesystem::exists(folder_.path("results")));
 }
 
@@ -145,7 +145,7 @@ TEST_F(Commands, ListsAreCompleteJson) {
   const auto families = nlohmann::json::parse(mwt("list generators --json").output);
   ASSERT_EQ(families.size(), generators().size());
   const auto studies = nlohmann::json::parse(mwt("list studies --json").output);
-  EXPECT_EQ(studies[0]["name"], "report");
+  EXPECT_EQ(studies[0]["name"], "growth");
   EXPECT_NE(mwt("list generators").output.find("uniform"), std::string::npos);
 }
 

@@ -6,7 +6,8 @@
 //            `filter` gives the column a list of its values to choose from
 //   rows     arrays of cells; null is an empty cell
 //   sets     {name: [[first, last], ...]}: named selections of rows, offered under `sets_title`
-//   template a command with {title} for the row's cells, shown on demand
+//   templates {text: command with {title} for the row's cells}, shown on demand; `template_column` says by which column's text
+//            to choose one, "" is for all other texts
 const FIRST_ROWS = 50;
 
 class DataTable {
@@ -48,7 +49,7 @@ class DataTable {
     this.heads = this.columns.map(() => null);
     const head = this.add(this.add(table, "thead"), "tr");
     this.columns.forEach((column, position) => this.addHead(head, column, position));
-    if (this.template) this.add(head, "th", { textContent: "command" });
+    if (this.templates) this.add(head, "th", { textContent: "command" });
     this.body = this.add(table, "tbody");
     this.more = this.add(this.place, "button", { type: "button", textContent: "show more rows" });
     this.more.addEventListener("click", () => { this.limit *= 4; this.show(); });
@@ -138,7 +139,7 @@ class DataTable {
       const value = this.cell(row, position);
       this.add(element, "td", { textContent: value, className: column.number ? "number" : "" });
     });
-    if (this.template) {
+    if (this.templates) {
       const button = this.add(this.add(element, "td"), "button", { type: "button", textContent: "show" });
       button.setAttribute("aria-expanded", "false");
       button.addEventListener("click", () => this.toggleCommand(element, row, button));
@@ -161,7 +162,8 @@ class DataTable {
   command(row) {
     const cells = Object.fromEntries(this.columns.map((column, position) => [column.title, String(this.cell(row, position))]));
     const options = (text) => text.split(" ").filter(Boolean).map((pair) => ` --param ${pair}`).join("");
-    return this.template.replace(/\{([^{}]+?)( options)?\}/g, (_, name, asOptions) => asOptions ? options(cells[name]) : cells[name]);
+    const template = this.templates[cells[this.template_column]] || this.templates[""];
+    return template.replace(/\{([^{}]+?)( options)?\}/g, (_, name, asOptions) => asOptions ? options(cells[name]) : cells[name]);
   }
 }
 

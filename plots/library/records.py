@@ -34,6 +34,8 @@ class Results:
         runs = self._read("runs.csv")
         runs["label"] = labels(runs["algorithm"], runs["params"])
         runs["family"] = labels(runs["generator"], runs["generator_params"])
+        is_file = runs["generator"] == "file"
+        runs.loc[is_file, "family"] = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
         return runs
 
     @functools.cached_property
