@@ -291,6 +291,9 @@ TEST(Claims, FailedAndRepeatedRunsAreNoEvidence) {
   StudyRecords records = example_run("greedy_report", 70.9585925243, 12).records();
   records.runs.front().status = RunStatus::timeout;
   EXPECT_EQ(testing::claim("C1").judge(records).verdict, ClaimVerdict::undecided);
+  records = searches(6, 0).records();
+  records.runs.front().stopped_early = true;
+  EXPECT_EQ(testing::claim("C10").judge(records).verdict, ClaimVerdict::undecided) << "cut short by the deadline";
   records = searches(3, 0).records();
   for (int copy = 0; copy < 3; ++copy) {
     records.runs.push_back(records.runs.front());

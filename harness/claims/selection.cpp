@@ -29,7 +29,8 @@ bool is_rated(const RunRecord& run) {
 Runs finished_runs(const StudyRecords& records, const RunTest& test) {
   Runs result;
   for (const RunRecord& run : records.runs) {
-    if (run.status == RunStatus::ok && run.repetition == 0 && test(run)) result.push_back(&run);
+    const bool is_finished = run.status == RunStatus::ok && run.stopped_early != true;
+    if (is_finished && run.repetition == 0 && test(run)) result.push_back(&run);
   }
   return result;
 }

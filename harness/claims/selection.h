@@ -15,7 +15,8 @@ namespace mwt {
 
 using RunTest = std::function<bool(const RunRecord&)>;
 
-/// The first repetitions, in the order of the records, that ended `ok` and pass the test.
+/// The first repetitions, in the order of the records, that ended `ok`, were not cut short by the deadline, and pass
+/// the test.
 [[nodiscard]] Runs finished_runs(const StudyRecords& records, const RunTest& test);
 
 /// Of these, those with a certified alpha against a proved optimum.
