@@ -41,7 +41,9 @@ class Results:
     @functools.cached_property
     def rated(self):
         """The runs whose alpha is certified against a proved optimum; not those that the deadline cut short."""
-        return self.runs[(self.runs["status"] == "ok") & (self.runs["optimality"] == "proved") & (self.runs["stopped_early"] == 0)]
+        return self.runs[
+            (self.runs["status"] == "ok") & (self.runs["optimality"] == "proved") & (self.runs["stopped_early"] == 0)
+        ]
 
     @functools.cached_property
     def instances(self):
