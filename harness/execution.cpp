@@ -94,7 +94,10 @@ Execution execute_repeatedly(const Request& request, Points points, double min_t
   std::exception_ptr failure;
   const auto timed = [&](benchmark::State& state) {
     try {
-      for (auto _ : state) execution.solution = execute(request, points, context);
+      for (auto _ : state) {
+        execution.solution = {};  // so that the peak of memory is that of one execution
+        execution.solution = execute(request, points, context);
+      }
     } catch (...) {
       failure = std::current_exception();
       state.SkipWithError("the algorithm threw");

@@ -42,6 +42,21 @@ TEST(Execution, ShortRunsAreRepeatedAndLongOnesAreNot) {
   EXPECT_LT(once.cpu_time_s, 0.02);
 }
 
+TEST(Execution, RepetitionDoesNotAddToThePeakOfMemory) {
+  if (!testing::kUsualAllocator) GTEST_SKIP() << "freed memory is kept";
+  const Instance instance = uniform_instance(10);
+  const AlgorithmInfo large = testing::entry("large", [](Points, Context&) {
+    Solution solution;
+    solution.count.emplace(std::size_t{1} << 24, '7');
+    return solution;
+  });
+  // The first solution is released before the second is made.
+  const std::uint64_t once = execute_once(request_for(large), instance.set.points).peak_rss_bytes;
+  const Execution repeated = execute_repeatedly(request_for(large), instance.set.points, 0.3);
+  EXPECT_GT(repeated.iterations, 1u);
+  EXPECT_LT(repeated.peak_rss_bytes, once + (std::uint64_t{1} << 23));
+}
+
 TEST(Execution, WhatAnAlgorithmThrowsComesOut) {
   const Instance instance = uniform_instance(10);
   const AlgorithmInfo declines = testing::entry("declines", testing::decline);

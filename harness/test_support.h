@@ -108,6 +108,11 @@ inline Solution hang(Points, Context& context) {
   return {};
 }
 
+inline Solution loop_for_ever(Points points, Context& context) {
+  for (volatile std::uint64_t seed = context.seed; seed != 0;) seed = seed + 2;  // odd seeds stay odd
+  return delaunay_solution(points);
+}
+
 inline Solution allocate_without_bound(Points, Context&) {
   std::vector<std::vector<char>> blocks;
   for (;;) blocks.emplace_back(std::size_t{1} << 24, 'x');
@@ -152,6 +157,7 @@ inline Catalogue test_catalogue() {
         entry("chats", chat),
         entry("small", solve_well),
         entry("tuned", solve_well),
+        entry("loops", loop_for_ever),
     };
     entries[12].largest_n = 5;
     entries[13].parameters = {{"k", ParameterType::integer, "4", "a number"},

@@ -43,8 +43,7 @@ void print_overview(const std::string& folder) {
 }
 
 int run(const Options& options) {
-  Study study = read_study(find_study_file(options.study));
-  if (options.instances) study.instance_files.folder = *options.instances;
+  const Study study = read_study(find_study_file(options.study), options.instances);
   RunOptions run_options;
   if (options.shard) run_options.shard = parse_shard(*options.shard);
   run_options.folder = options.folder.value_or(default_folder(study, run_options.shard));

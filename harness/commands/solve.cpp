@@ -59,27 +59,33 @@ FoundOptimum search_optimum(const Instance& instance, std::vector<const Algorith
   return result;
 }
 
+std::optional<OptimumCache> open_cache(const Options& options) {
+  if (options.no_cache) return std::nullopt;
+  const auto warn = [](const std::string& warning) { std::cerr << "mwt: warning: " << warning << '\n'; };
+  return OptimumCache(optimum_cache_folder(), warn);
+}
+
+FoundOptimum cached(const CachedOptimum& earlier, const AlgorithmInfo& solver) {
+  FoundOptimum found;
+  found.interval = earlier.interval;
+  found.source = solver.name;
+  found.is_cached = true;
+  return found;
+}
+
 // What is known besides what the solution itself certifies. If that is the optimum, nothing more is sought, and it goes
 // into the cache; and an exact algorithm that did not prove it is not asked again.
 FoundOptimum optimum_beyond(const Catalogue& catalogue, const Instance& instance, const Request& request,
                             const Execution& execution, const Interval& weight, const Options& options) {
-  std::optional<OptimumCache> cache;
-  const auto warn = [](const std::string& warning) { std::cerr << "mwt: warning: " << warning << '\n'; };
-  if (!options.no_cache) cache.emplace(optimum_cache_folder(), warn);
+  std::optional<OptimumCache> cache = open_cache(options);
   const AlgorithmInfo& solver = *request.algorithm;
-  const OptimumKey key{instance.id, solver.name, solver.version, request.parameters.canonical()};
+  const OptimumKey key = optimum_key(instance.id, solver, request.parameters);
   const std::optional<Interval> own = witnessed_optimum(execution.solution.optimum, weight).interval;
   if (optimality_of(own) == Optimality::proved) {
     if (cache && solver.exactness == Exactness::exact) cache->store(key, {*own, execution.wall_time_s});
     return {};
   }
-  if (const auto earlier = cache ? cache->find(key) : std::nullopt) {
-    FoundOptimum known;
-    known.interval = earlier->interval;
-    known.source = solver.name;
-    known.is_cached = true;
-    return known;
-  }
+  if (const auto earlier = cache ? cache->find(key) : std::nullopt) return cached(*earlier, solver);
   RunLimits limits;
   limits.time_s = options.time_limit_s.value_or(limits.time_s);
   const auto n = static_cast<Index>(instance.set.points.size());

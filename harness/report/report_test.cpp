@@ -150,6 +150,15 @@ TEST(Tables, LookAsTheyShould) {
             "  algorithm   n  runs  failed  median time  95%  alpha mean  95%   median      p95      max  optimal\n"
             "  sweep      10     3       1      2.00 ms    -     1.25000    -  1.25000  1.47500  1.50000      50%\n");
   EXPECT_EQ(growth_tables(growth_of(cells), labels), "");
+  runs[0].yardstick_time_s = runs[1].yardstick_time_s = 1e-3;
+  EXPECT_NE(cell_tables(summarise(cells_of(runs)), labels).find("50%               2.00\n"), std::string::npos);
+}
+
+TEST(Tables, AHundredPercentMeansAll) {
+  std::vector<RunRecord> runs;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) runs.push_back(ok_run("sweep", 10, seed, 1, seed == 1 ? 2 : 1));
+  const std::vector<Cell> cells = cells_of(runs);
+  EXPECT_NE(algorithm_table(cells, Labels(cells)).find(" 99%\n"), std::string::npos);
 }
 
 TEST(Tables, ExponentsHaveNoNegativeZeros) {

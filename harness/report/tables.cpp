@@ -18,7 +18,11 @@ constexpr int kAlphaDigits = 5;
 constexpr int kExponentDigits = 3;
 constexpr const char* kNothing = "-";
 
-std::string percent(double share) { return fixed(100 * share, 0) + '%'; }
+// 0% and 100% mean none and all.
+std::string percent(double share) {
+  const double rounded = std::round(100 * share);
+  return fixed(share > 0 && share < 1 ? std::clamp(rounded, 1.0, 99.0) : rounded, 0) + '%';
+}
 
 std::string duration(const std::optional<Statistic>& time) {
   return time ? readable_duration(time->estimate.value) : kNothing;
@@ -143,10 +147,17 @@ std::string algorithm_table(const std::vector<Cell>& cells, const Labels& labels
 }
 
 std::string cell_tables(const std::vector<CellSummary>& cells, const Labels& labels) {
-  FamilyTables tables({"algorithm", "n", "runs", "failed", "median time", "95%", "alpha mean", "95%", "median", "p95",
-                       "max", "optimal"});
+  const bool has_yardsticks = std::any_of(cells.begin(), cells.end(),
+                                          [](const CellSummary& summary) { return summary.yardsticks.has_value(); });
+  std::vector<std::string> header = {"algorithm",  "n",   "runs",   "failed", "median time", "95%",
+                                     "alpha mean", "95%", "median", "p95",    "max",         "optimal"};
+  if (has_yardsticks) header.push_back("time / Delaunay's");
+  FamilyTables tables(std::move(header));
   for (const CellSummary& summary : cells) {
-    if (summary.cell.runs > 0) tables.add_row(labels.family(summary.cell.key), cell_row(summary, labels));
+    if (summary.cell.runs == 0) continue;
+    std::vector<std::string> row = cell_row(summary, labels);
+    if (has_yardsticks) row.push_back(summary.yardsticks ? fixed(summary.yardsticks->estimate.value, 2) : kNothing);
+    tables.add_row(labels.family(summary.cell.key), std::move(row));
   }
   return tables.text();
 }

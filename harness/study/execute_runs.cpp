@@ -5,6 +5,7 @@
 #include "geometry/error.h"
 #include "harness/start_triangulation.h"
 #include "harness/study/isolated_run.h"
+#include "harness/study/optimum_search.h"
 #include "harness/study/study_session.h"
 #include "harness/text.h"
 
@@ -75,7 +76,7 @@ class RunPhase {
   void remember(const PlannedRun& run, const Interval& optimum) {
     if (!session_.cache || run.algorithm->exactness != Exactness::exact) return;
     const RunRecord& row = session_.folder.runs().back();
-    const OptimumKey key{row.instance_id, run.algorithm->name, run.algorithm->version, run.parameters.canonical()};
+    const OptimumKey key = optimum_key(row.instance_id, *run.algorithm, run.parameters);
     if (!session_.cache->find(key)) session_.cache->store(key, {optimum, row.wall_time_s.value_or(0)});
   }
 

@@ -147,8 +147,7 @@ std::size_t merge_results(const MergeOptions& options, const Catalogue& catalogu
   const std::vector<Part> parts = read_parts(options);
   require_one_study(parts);
   if (!options.accepts_other_build) require_one_commit(parts);
-  Study study = read_study(options.folders.front() + "/study.toml");
-  if (options.instance_folder) study.instance_files.folder = *options.instance_folder;
+  const Study study = read_study(options.folders.front() + "/study.toml", options.instance_folder);
   const StudyRecords merged = Merger(parts, make_plan(study, catalogue)).merge();
   write_records(options.target, merged);
   return merged.runs.size();

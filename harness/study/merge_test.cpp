@@ -20,8 +20,8 @@ using testing::write_text;
 constexpr const char* kStudy = R"(name = "s"
 summary = "t"
 families = ["uniform", "fan"]
-sizes = [10, 12, 14]
-seeds = [1, 2, 3]
+sizes = [10, 12]
+seeds = [1, 2]
 algorithms = ["well", "throws", "fan_exact", "small"]
 repetitions = 2
 min_time_s = 0.0001
@@ -68,7 +68,7 @@ class Merge : public ::testing::Test {
 TEST_F(Merge, FourShardsEqualTheSingleRun) {
   run("whole");
   for (std::size_t number = 1; number <= 4; ++number) run(std::to_string(number), {number, 4});
-  EXPECT_EQ(merge({"3", "1", "4", "2"}), 96u);
+  EXPECT_EQ(merge({"3", "1", "4", "2"}), 48u);
   const StudyRecords whole = read_records(folder_.path("whole"));
   const StudyRecords merged = read_records(folder_.path("merged"));
   EXPECT_EQ(lasting(run_columns(), merged.runs), lasting(run_columns(), whole.runs));
@@ -81,7 +81,7 @@ TEST_F(Merge, FourShardsEqualTheSingleRun) {
 TEST_F(Merge, RefusesOverlapsGapsAndMixtures) {
   run("1", {1, 2});
   run("2", {2, 2});
-  expect_refusal({"1"}, "of 96 runs are missing, the first: ");
+  expect_refusal({"1"}, "of 48 runs are missing, the first: ");
   expect_refusal({"1", "2", "1"}, "overlap: both have ");
   expect_refusal({"1", "nothing"}, "nothing/study.toml");
   EXPECT_FALSE(std::filesystem::exists(folder_.path("nothing")));

@@ -44,7 +44,7 @@ struct Search : std::enable_shared_from_this<Search> {
   }
 
   [[nodiscard]] OptimumKey key_of(const AlgorithmInfo& source) const {
-    return {instance->id, source.name, source.version, Parameters(source.name, source.parameters, {}).canonical()};
+    return optimum_key(instance->id, source, Parameters(source.name, source.parameters, {}));
   }
 
   [[nodiscard]] bool is_proved() const { return optimality_of(found.interval) == Optimality::proved; }
@@ -130,6 +130,10 @@ std::vector<const AlgorithmInfo*> optimum_sources_for(const Catalogue& catalogue
   std::stable_sort(result.begin(), result.end(),
                    [&](const AlgorithmInfo* a, const AlgorithmInfo* b) { return rank(*a) > rank(*b); });
   return result;
+}
+
+OptimumKey optimum_key(const std::string& instance_id, const AlgorithmInfo& solver, const Parameters& parameters) {
+  return {instance_id, solver.name, solver.version, parameters.canonical()};
 }
 
 void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,

@@ -32,6 +32,10 @@ struct FoundOptimum {
                                                                     const std::vector<OptimumSource>& sources, Index n,
                                                                     bool in_convex_position = false);
 
+/// What the optimum of an instance is cached under.
+[[nodiscard]] OptimumKey optimum_key(const std::string& instance_id, const AlgorithmInfo& solver,
+                                     const Parameters& parameters);
+
 /// Asks one source after the other, each in a process of its own, until one proves the optimum; bounds from those that
 /// do not are kept and combined. What the cache has for any of the sources comes first, what one of them proves goes
 /// into it; null: no cache. Precondition: the pool is not full.

@@ -46,16 +46,17 @@ std::map<std::string, RunRecord> by_algorithm(const std::string& folder) {
 TEST(RunStudy, EveryMisbehaviourIsOneRow) {
   const TemporaryFolder folder;
   const StudyOutcome outcome = run(study_of({"crashes", "well", "leaves", "hangs", "allocates", "invalid", "throws",
-                                             "declines", "chats", "small", "claims", "well"}),
+                                             "declines", "chats", "small", "claims", "loops", "well"}),
                                    folder.path("out"), false, 2);
   auto runs = by_algorithm(folder.path("out"));
-  ASSERT_EQ(runs.size(), 11u);
+  ASSERT_EQ(runs.size(), 12u);
   EXPECT_EQ(runs["well"].status, RunStatus::ok);
   EXPECT_EQ(runs["chats"].status, RunStatus::ok);
   EXPECT_EQ(runs["crashes"].status, RunStatus::crashed);
   EXPECT_EQ(runs["leaves"].status, RunStatus::crashed);
   EXPECT_TRUE(runs["leaves"].message.ends_with("giving up")) << runs["leaves"].message;
   EXPECT_EQ(runs["hangs"].status, RunStatus::timeout);
+  EXPECT_EQ(runs["loops"].status, RunStatus::timeout);
   const RunStatus when_refused = testing::kUsualAllocator ? RunStatus::out_of_memory : RunStatus::crashed;
   EXPECT_EQ(runs["allocates"].status, when_refused) << runs["allocates"].message;
   EXPECT_EQ(runs["invalid"].status, RunStatus::invalid_output);
@@ -65,8 +66,8 @@ TEST(RunStudy, EveryMisbehaviourIsOneRow) {
   EXPECT_EQ(runs["declines"].status, RunStatus::not_applicable);
   EXPECT_EQ(runs["small"].status, RunStatus::not_applicable);
   EXPECT_EQ(runs["claims"].status, RunStatus::error);
-  EXPECT_EQ(outcome.runs, 11u);
-  EXPECT_EQ(outcome.failures, 7u);
+  EXPECT_EQ(outcome.runs, 12u);
+  EXPECT_EQ(outcome.failures, 8u);
 }
 
 TEST(RunStudy, RowsOfGoodRunsAreComplete) {

@@ -66,8 +66,9 @@ struct Study {
 
 /// Reads a study file. A parameter whose value is a list stands for one choice per element; several lists multiply.
 /// Throws InputError "FILE:LINE: what; remedy": not TOML, an unknown key, a value of the wrong type
-/// or range, a missing key. Names of families and algorithms are checked when the study is planned.
-[[nodiscard]] Study read_study(const std::string& path);
+/// or range, a missing key; an `instance_folder`, which replaces that of the study's point files, for a study without
+/// any. Names of families and algorithms are checked when the study is planned.
+[[nodiscard]] Study read_study(const std::string& path, const std::optional<std::string>& instance_folder = {});
 
 /// The path of a study: itself if it is a file or looks like a path, else a study of that name in the project's
 /// harness/studies. Throws InputError listing the known names.

@@ -2,7 +2,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
@@ -17,6 +16,9 @@
 namespace mwt {
 
 namespace {
+
+constexpr double kLargestTime = 1e9;  // s; about thirty years
+constexpr std::int64_t kLargestCount = 1000000;
 
 using ParameterValues = std::map<std::string, std::string>;
 
@@ -61,8 +63,8 @@ class TableReader {
     const toml::node* node = find(key);
     if (node == nullptr) return;
     const auto number = node->value<double>();
-    if (!number || !node->is_number() || !std::isfinite(*number) || !(*number > 0)) {
-      fail(*node, "'" + key + "' must be a positive number");
+    if (!number || !node->is_number() || !(*number > 0 && *number <= kLargestTime)) {
+      fail(*node, "'" + key + "' must be a positive number of at most 1e9");
     }
     value = *number;
   }
@@ -75,6 +77,14 @@ class TableReader {
 
   void read_integer(const std::string& key, std::int64_t smallest, const std::function<void(std::int64_t)>& use) {
     if (const toml::node* node = find(key)) use(integer_of(*node, key, smallest));
+  }
+
+  void read_count(const std::string& key, int& value) {
+    read_integer(key, 1, [&](std::int64_t count) {
+      if (count > kLargestCount)
+        fail(*table_.get(key), "'" + key + "' must be at most " + std::to_string(kLargestCount));
+      value = static_cast<int>(count);
+    });
   }
 
   void read_flag(const std::string& key, bool& value) {
@@ -147,6 +157,7 @@ std::vector<ParameterValues> read_parameters(TableReader& reader) {
     std::vector<std::string> values;
     if (const toml::array* list = value.as_array()) {
       for (const toml::node& element : *list) values.push_back(parameter_text(reader, element, name));
+      if (values.empty()) reader.fail(value, "parameter '" + name + "' must not be an empty list");
     } else {
       values.push_back(parameter_text(reader, value, name));
     }
@@ -248,8 +259,8 @@ Study read_root(const std::string& path, const toml::table& root) {
   study.summary = reader.text("summary");
   study.sizes = read_sizes(reader);
   if (reader.find("seeds") != nullptr) study.seeds = read_seeds(reader);
-  reader.read_integer("repetitions", 1, [&](std::int64_t count) { study.repetitions = static_cast<int>(count); });
-  reader.read_integer("threads", 1, [&](std::int64_t count) { study.threads = static_cast<int>(count); });
+  reader.read_count("repetitions", study.repetitions);
+  reader.read_count("threads", study.threads);
   reader.read_positive("min_time_s", study.min_time_s);
   reader.read_flag("yardstick", study.measures_yardstick);
   read_families(reader, study);
@@ -267,13 +278,17 @@ Study read_root(const std::string& path, const toml::table& root) {
 
 }  // namespace
 
-Study read_study(const std::string& path) {
+Study read_study(const std::string& path, const std::optional<std::string>& instance_folder) {
   const std::string content = read_file(path);
   try {
     const toml::table root = toml::parse(content);
     Study study = read_root(path, root);
     study.file_content = content;
     study.folder = std::filesystem::path(path).parent_path().string();
+    if (!instance_folder) return study;
+    if (study.instance_files.patterns.empty())
+      throw InputError(path + ": no [instances] that --instances could be for");
+    study.instance_files.folder = *instance_folder;
     return study;
   } catch (const toml::parse_error& error) {
     throw InputError(place_of(path, error.source()) + ": not valid TOML: " + one_line(error.description()));

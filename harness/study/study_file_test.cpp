@@ -81,16 +81,32 @@ TEST(StudyFile, MistakesNameLineAndKey) {
   EXPECT_EQ(complaint(kMinimal + "sizes = [10, \"x\"]\n"), "s.toml:5: 'sizes' must be a whole number of at least 3");
   EXPECT_EQ(complaint(kMinimal + "sizes = [2]\n"), "s.toml:5: 'sizes' must be a whole number of at least 3");
   EXPECT_EQ(complaint(kMinimal + "sizes = 10\n"), "s.toml:5: 'sizes' must be a list, not empty");
-  EXPECT_EQ(complaint(kMinimal + "min_time_s = -1\n"), "s.toml:5: 'min_time_s' must be a positive number");
-  EXPECT_EQ(complaint(kMinimal + "min_time_s = nan\n"), "s.toml:5: 'min_time_s' must be a positive number");
+  EXPECT_EQ(complaint(kMinimal + "min_time_s = -1\n"),
+            "s.toml:5: 'min_time_s' must be a positive number of at most 1e9");
+  EXPECT_EQ(complaint(kMinimal + "min_time_s = nan\n"),
+            "s.toml:5: 'min_time_s' must be a positive number of at most 1e9");
   EXPECT_TRUE(complaint(kMinimal + "[limits]\ntimes = 1\n").starts_with("s.toml:6: [limits] has no key 'times'"));
   EXPECT_EQ(complaint(kMinimal + "limits = 1\n"), "s.toml:5: 'limits' must be a table");
+  EXPECT_EQ(complaint(kMinimal + "min_time_s = 1e300\n"),
+            "s.toml:5: 'min_time_s' must be a positive number of at most 1e9");
+  EXPECT_EQ(complaint(kMinimal + "repetitions = 4294967297\n"), "s.toml:5: 'repetitions' must be at most 1000000");
+  EXPECT_EQ(complaint("name = \"s\"\nsummary = \"t\"\nfamilies = [\"*\"]\nalgorithms = [{ name = \"a\", parameters = { "
+                      "k = [] } }]\n"),
+            "s.toml:4: parameter 'k' must not be an empty list");
   EXPECT_EQ(complaint(kMinimal + "yardstick = 1\n"), "s.toml:5: 'yardstick' must be true or false");
   EXPECT_EQ(complaint(kMinimal + "[instances]\nfolder = \"x\"\n"), "s.toml:5: [instances] needs the key 'files'");
   EXPECT_EQ(complaint(kMinimal + "[instances]\nfiles = [\"/x\"]\n"),
             "s.toml:6: 'files' are within 'folder': no leading /");
   EXPECT_EQ(complaint("name = \"s\"\nsummary = \"t\"\nfamilies = [1]\nalgorithms = [\"*\"]\n"),
             "s.toml:3: 'families' lists names or tables with a name");
+}
+
+TEST(StudyFile, AnotherFolderOfInstancesCanBeNamed) {
+  const testing::TemporaryFolder folder;
+  testing::write_text(folder.path("s.toml"), kMinimal + "[instances]\nfiles = [\"*.tsp\"]\n");
+  EXPECT_EQ(read_study(folder.path("s.toml"), "elsewhere").instance_files.folder, "elsewhere");
+  testing::write_text(folder.path("s.toml"), kMinimal);
+  EXPECT_THROW(static_cast<void>(read_study(folder.path("s.toml"), "elsewhere")), InputError);
 }
 
 TEST(FindStudy, KnowsTheProjectsStudiesAndTakesPaths) {
