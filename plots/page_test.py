@@ -79,17 +79,38 @@ class PageTest(unittest.TestCase):
 
     def test_figures_are_drawn_and_written(self):
         names = self.value("[...document.querySelectorAll('figure')].map((figure) => figure.previousElementSibling.id)")
-        for name in ("alpha_by_n", "alpha_distribution", "trade_off", "time_by_n", "growth", "worked_examples", "flips", "hull_bound",
-                     "same_points", "quadtree_grid"):
+        for name in (
+            "alpha_by_n",
+            "alpha_distribution",
+            "trade_off",
+            "time_by_n",
+            "growth",
+            "worked_examples",
+            "flips",
+            "hull_bound",
+            "same_points",
+            "quadtree_grid",
+        ):
             self.assertIn(f"figure-{name}", names)
             for ending in (".svg", ".png"):
                 self.assertTrue((self.results / "figures" / (name + ending)).is_file(), name)
-        self.assertTrue(self.value("[...document.querySelectorAll('figure svg')].every((svg) => svg.querySelectorAll('path').length > 5)"))
-        self.assertTrue(self.value("[...document.querySelectorAll('figure svg')].every((svg) => svg.getAttribute('aria-label'))"))
+        self.assertTrue(
+            self.value(
+                "[...document.querySelectorAll('figure svg')].every((svg) => svg.querySelectorAll('path').length > 5)"
+            )
+        )
+        self.assertTrue(
+            self.value("[...document.querySelectorAll('figure svg')].every((svg) => svg.getAttribute('aria-label'))")
+        )
 
     def test_ids_are_unique(self):
-        self.assertEqual(self.value("(() => { const ids = [...document.querySelectorAll('[id]')].map((e) => e.id);"
-                                    " return ids.length - new Set(ids).size; })()"), 0)
+        self.assertEqual(
+            self.value(
+                "(() => { const ids = [...document.querySelectorAll('[id]')].map((e) => e.id);"
+                " return ids.length - new Set(ids).size; })()"
+            ),
+            0,
+        )
 
     def column(self, position):
         return self.texts(f"#runs tbody tr td:nth-child({position})")
@@ -106,21 +127,29 @@ class PageTest(unittest.TestCase):
         self.assertGreater(descending[0], ascending[0])
 
     def choose(self, title, value):
-        self.value(f"(() => {{ const label = [...document.querySelectorAll('#runs label')].find((l) => l.textContent.startsWith({title!r}));"
-                   f" const select = label.querySelector('select'); select.value = {value!r}; select.dispatchEvent(new Event('change')); }})()")
+        self.value(
+            "(() => { const label = [...document.querySelectorAll('#runs label')].find((l) =>"
+            f" l.textContent.startsWith({title!r})); const select = label.querySelector('select'); select.value ="
+            f" {value!r}; select.dispatchEvent(new Event('change')); }})()"
+        )
 
     def test_runs_filter(self):
         self.choose("algorithm", "greedy")
         self.choose("family", "uniform")
         self.assertEqual(set(self.column(1)), {"greedy"})
         self.assertEqual(set(self.column(3)), {"uniform"})
-        self.value("(() => { const input = document.querySelector('#runs input'); input.value = 'nothing like it';"
-                   " input.dispatchEvent(new Event('input')); })()")
+        self.value(
+            "(() => { const input = document.querySelector('#runs input'); input.value = 'nothing like it';"
+            " input.dispatchEvent(new Event('input')); })()"
+        )
         self.assertEqual(self.column(1), [])
         self.assertIn("0 of 0 rows", self.value("document.querySelector('#runs [role=status]').textContent"))
 
     def test_a_verdict_leads_to_its_rows_and_their_commands(self):
-        self.value("(() => { const claim = document.getElementById('C1'); claim.open = true; claim.querySelector('a[data-set]').click(); })()")
+        self.value(
+            "(() => { const claim = document.getElementById('C1'); claim.open = true;"
+            " claim.querySelector('a[data-set]').click(); })()"
+        )
         self.assertEqual(self.column(1), ["greedy_report"])
         self.assertEqual(self.column(3), ["report_example"])
         self.value("document.querySelector('#runs tbody button').click()")
@@ -132,7 +161,9 @@ class PageTest(unittest.TestCase):
         self.choose("algorithm", "flip_report")
         self.choose("family", "uniform")
         self.value("document.querySelector('#runs tbody button').click()")
-        command = self.value("document.querySelector('#runs tr.command').textContent").replace("build/release/mwt", str(MWT))
+        command = self.value("document.querySelector('#runs tr.command').textContent").replace(
+            "build/release/mwt", str(MWT)
+        )
         solved = subprocess.run(["/bin/sh", "-ec", command], cwd=self.folder.name, capture_output=True, text=True)
         self.assertEqual(solved.returncode, 0, solved.stderr)
         self.assertIn("flip_report", solved.stdout)
@@ -168,6 +199,9 @@ if __name__ == "__main__":
         sys.exit("usage: page_test.py MWT")
     MWT = pathlib.Path(sys.argv.pop()).resolve()
     if chromium.find() is None:
-        print("SKIPPED: NO CHROMIUM ON THIS MACHINE, THE REPORT'S PAGE WAS NOT TESTED. Install it: setup/packages_for_checks.txt")
+        print(
+            "SKIPPED: NO CHROMIUM ON THIS MACHINE, THE REPORT'S PAGE WAS NOT TESTED. Install it:"
+            " setup/packages_for_checks.txt"
+        )
         sys.exit(SKIPPED)
     unittest.main(verbosity=2)

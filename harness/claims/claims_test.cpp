@@ -120,6 +120,11 @@ TEST(Claims, C5FollowsTheGrowthOfGreedy) {
   EXPECT_EQ(verdict("C5", growing("sweep", "bad", 0.1, 1.3)), ClaimVerdict::undecided);
 }
 
+TEST(Claims, PointsFromFilesAreNoSeries) {
+  EXPECT_EQ(verdict("C5", growing("greedy", "file", 0.1, 1.3)), ClaimVerdict::undecided);
+  EXPECT_EQ(verdict("C6", growing("hull_insertion", "file", 0.1, 1.0)), ClaimVerdict::undecided);
+}
+
 TEST(Claims, C6FollowsTheGrowthOfInsertionBesideLogN) {
   EXPECT_EQ(verdict("C6", growing("hull_insertion", "trap", 0.1, 1.0)), ClaimVerdict::refuted);
   EXPECT_EQ(verdict("C6", growing("hull_insertion", "uniform", 1.0, 0.25)), ClaimVerdict::refuted);
@@ -286,6 +291,9 @@ TEST(Claims, FailedAndRepeatedRunsAreNoEvidence) {
   StudyRecords records = example_run("greedy_report", 70.9585925243, 12).records();
   records.runs.front().status = RunStatus::timeout;
   EXPECT_EQ(testing::claim("C1").judge(records).verdict, ClaimVerdict::undecided);
+  records = searches(6, 0).records();
+  records.runs.front().stopped_early = true;
+  EXPECT_EQ(testing::claim("C10").judge(records).verdict, ClaimVerdict::undecided) << "cut short by the deadline";
   records = searches(3, 0).records();
   for (int copy = 0; copy < 3; ++copy) {
     records.runs.push_back(records.runs.front());

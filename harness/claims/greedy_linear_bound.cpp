@@ -15,7 +15,7 @@ struct Steepest {
 
 std::optional<Steepest> steepest_of(const Runs& runs) {
   std::optional<Steepest> steepest;
-  for (const auto& [family, of_family] : by_family(runs)) {
+  for (const auto& [family, of_family] : by_growing_family(runs)) {
     const auto law = growth_of(of_family, [](const RunRecord& run) { return run.alpha_upper; });
     if (!law) continue;
     if (!steepest || law->exponent.value > steepest->law.exponent.value) steepest = {family, *law};

@@ -46,7 +46,7 @@ Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
   Growth growth;
   details.header = {"family", "sizes", "increase ~ n^e: e (95%)", "increase / log n ~ n^e: e (95%)",
                     "largest mean increase"};
-  for (const auto& [family, runs] : by_family(rows)) {
+  for (const auto& [family, runs] : by_growing_family(rows)) {
     const auto law = growth_of(runs, increase), over_log = growth_of(runs, increase_over_log);
     if (!law || !over_log) continue;
     const double largest = largest_increase(runs);

@@ -43,7 +43,7 @@ constexpr const char* kFamilyOfOthers = "uniform";
 // The CPU time, which other programs on the machine disturb less than wall time, divided by what the statement allows
 // for beside the power of n.
 std::optional<double> time_for(const RunRecord& run, Shape shape) {
-  if (!run.cpu_time_s || *run.cpu_time_s < kSmallestTime || run.stopped_early == true) return std::nullopt;
+  if (!run.cpu_time_s || *run.cpu_time_s < kSmallestTime) return std::nullopt;
   if (shape == Shape::times_log && run.n < kSmallestNearLinear) return std::nullopt;
   if (shape == Shape::times_log) return *run.cpu_time_s / std::log(run.n);
   if (shape == Shape::per_pass) return *run.cpu_time_s / named_number(run.counters, "passes").value_or(1);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "harness/study/plan.h"
 #include "harness/text.h"
 
 namespace mwt {
@@ -28,7 +29,8 @@ bool is_rated(const RunRecord& run) {
 Runs finished_runs(const StudyRecords& records, const RunTest& test) {
   Runs result;
   for (const RunRecord& run : records.runs) {
-    if (run.status == RunStatus::ok && run.repetition == 0 && test(run)) result.push_back(&run);
+    const bool is_finished = run.status == RunStatus::ok && run.stopped_early != true;
+    if (is_finished && run.repetition == 0 && test(run)) result.push_back(&run);
   }
   return result;
 }
@@ -39,10 +41,16 @@ Runs rated_runs(const StudyRecords& records, const RunTest& test) {
 
 RunGroups by_family(const Runs& runs) { return grouped_by(runs, &RunRecord::generator); }
 
+RunGroups by_growing_family(const Runs& runs) {
+  RunGroups groups = by_family(runs);
+  groups.erase(kFileGenerator);
+  return groups;
+}
+
 RunGroups by_algorithm(const Runs& runs) { return grouped_by(runs, &RunRecord::algorithm); }
 
 bool is_typical(const RunRecord& run) {
-  static const std::set<std::string, std::less<>> families = {"uniform", "normal", "clustered", "file", "tsplib"};
+  static const std::set<std::string, std::less<>> families = {"uniform", "normal", "clustered", kFileGenerator};
   return families.contains(run.generator);
 }
 

@@ -15,7 +15,8 @@ namespace mwt {
 
 using RunTest = std::function<bool(const RunRecord&)>;
 
-/// The first repetitions, in the order of the records, that ended `ok` and pass the test.
+/// The first repetitions, in the order of the records, that ended `ok`, were not cut short by the deadline, and pass
+/// the test.
 [[nodiscard]] Runs finished_runs(const StudyRecords& records, const RunTest& test);
 
 /// Of these, those with a certified alpha against a proved optimum.
@@ -25,6 +26,9 @@ using RunTest = std::function<bool(const RunRecord&)>;
 using RunGroups = std::map<std::string, Runs>;
 [[nodiscard]] RunGroups by_family(const Runs& runs);
 [[nodiscard]] RunGroups by_algorithm(const Runs& runs);
+
+/// By family, points from files left out: their sizes are no series in which anything could grow.
+[[nodiscard]] RunGroups by_growing_family(const Runs& runs);
 
 /// Uniform, normal, clustered, and points from files (TSPLIB): what a user's points may look like.
 [[nodiscard]] bool is_typical(const RunRecord& run);

@@ -13,7 +13,7 @@ namespace mwt {
 Runs counting_runs(const StudyRecords& records) {
   return finished_runs(records, [](const RunRecord& run) {
     const bool counts = run.algorithm == "brute_force" || run.algorithm == "subset_dp";
-    return counts && !run.triangulation_count.empty() && run.stopped_early != true;
+    return counts && !run.triangulation_count.empty();
   });
 }
 

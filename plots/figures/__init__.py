@@ -1,6 +1,16 @@
 """The figures, one module each: a TITLE, a CAPTION and draw(results), which returns a matplotlib figure, or None if the
 results have nothing for it. To add one: its module and its line here."""
-from . import alpha_by_n, alpha_distribution, flips, growth, hull_bound, quadtree_grid, same_points, time_by_n, trade_off
+from . import (
+    alpha_by_n,
+    alpha_distribution,
+    flips,
+    growth,
+    hull_bound,
+    quadtree_grid,
+    same_points,
+    time_by_n,
+    trade_off,
+)
 from . import worked_examples
 
 CHARTS = {

@@ -8,10 +8,10 @@ from library.style import INK, Styles, legend_below, report_first
 
 TITLE = "How far from the optimum, by n"
 CAPTION = (
-    "A point is the mean over instances of α − 1, a bar reaches to the largest; both axes are logarithmic. The shaded band is "
-    "the report's 1.1–1.5. Every optimum is proved: its certified interval is narrower than a millionth of a point "
-    "on this page, so that error bars for it cannot be seen. What is below the axis's lowest decade lies on the line “optimal”. "
-    "greedy_report, the report's literal version, gives the same triangulations as greedy."
+    "A point is the mean over instances of α − 1, a bar reaches to the largest; both axes are logarithmic. The shaded"
+    " band is the report's 1.1–1.5. Every optimum is proved: its certified interval is narrower than a millionth of a"
+    " point on this page, so that error bars for it cannot be seen. What is below the axis's lowest decade lies on the"
+    " line “optimal”. greedy_report, the report's literal version, gives the same triangulations as greedy."
 )
 SHOWN = ("hull_insertion", "quadtree", "delaunay", "flip_report", "greedy", "patch")
 LOWEST_EXCESS = 1e-5
@@ -62,18 +62,27 @@ def draw(results, families=None):
     styles = Styles(labels)
     columns = min(3, len(families))
     rows = -(-len(families) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(3.0 * columns + 0.4, 2.3 * rows + 0.6), squeeze=False, sharex=True)
+    figure, grid = plt.subplots(
+        rows, columns, figsize=(3.0 * columns + 0.4, 2.3 * rows + 0.6), squeeze=False, sharex=True
+    )
     panels = list(grid.flat)
     for axes, family in zip(panels, families):
         axes.tick_params(labelbottom=True)
         draw_family(axes, rated[rated["family"] == family], labels, styles)
         axes.set_title(family)
         axes.set_xlabel("points n")
-    set_common_scale(panels[:len(families)])
-    for axes in panels[len(families):]:
+    set_common_scale(panels[: len(families)])
+    for axes in panels[len(families) :]:
         axes.set_visible(False)
-    panels[0].annotate("the report's band", (1, 0.22), xycoords=("axes fraction", "data"), fontsize=7.5, color=INK, ha="right",
-                       va="center")
+    panels[0].annotate(
+        "the report's band",
+        (1, 0.22),
+        xycoords=("axes fraction", "data"),
+        fontsize=7.5,
+        color=INK,
+        ha="right",
+        va="center",
+    )
     for axes in grid[:, 0]:
         axes.set_ylabel(r"excess $\alpha - 1$")
     legend_below(figure, *panels[0].get_legend_handles_labels())

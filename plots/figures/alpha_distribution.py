@@ -7,11 +7,22 @@ from library.style import INK, Styles, report_first
 
 TITLE = "Which algorithm does “1.1–1.5” fit?"
 CAPTION = (
-    "Every mark is one random instance (uniform, normal or clustered, n ≥ 20) against its proved optimum; the tick is the "
-    "median. The shaded band is what the report says of greedy: greedy never comes near it, hull insertion leaves it upwards."
+    "Every mark is one random instance (uniform, normal or clustered, n ≥ 20) against its proved optimum; the tick is"
+    " the median. The shaded band is what the report says of greedy: greedy never comes near it, hull insertion leaves"
+    " it upwards."
 )
-HEURISTICS = ("hull_insertion", "sweep", "quadtree", "delaunay", "flip_report", "flip", "greedy_report", "greedy", "annealing",
-              "patch")
+HEURISTICS = (
+    "hull_insertion",
+    "sweep",
+    "quadtree",
+    "delaunay",
+    "flip_report",
+    "flip",
+    "greedy_report",
+    "greedy",
+    "annealing",
+    "patch",
+)
 LOWEST_EXCESS = 1e-6
 SMALLEST_N = 20
 
@@ -32,7 +43,9 @@ def draw(results):
     axes.axvspan(0.1, 0.5, color="#888888", alpha=0.16, linewidth=0)
     for row, label in enumerate(labels):
         excess = (rated[rated["label"] == label]["alpha_upper"] - 1).clip(lower=LOWEST_EXCESS)
-        axes.scatter(excess, row + row_positions(len(excess), row), s=9, color=styles.colour(label), alpha=0.55, linewidth=0)
+        axes.scatter(
+            excess, row + row_positions(len(excess), row), s=9, color=styles.colour(label), alpha=0.55, linewidth=0
+        )
         axes.plot([excess.median()] * 2, [row - 0.4, row + 0.4], color=INK, linewidth=2)
     axes.set_xscale("log")
     decades = range(-6, int(np.ceil(np.log10(rated["alpha_upper"].max()))) + 1)

@@ -46,8 +46,15 @@ def triangulation(axes, points, edges, optimum=frozenset(), differing=True, line
 def dots(axes, points, size=7, names=None, font=7.5):
     axes.scatter(*zip(*points), s=size, color=INK, zorder=3, linewidth=0)
     for (x, y), name in zip(points, names or []):
-        axes.annotate(name, (x, y), xytext=(3, 3), textcoords="offset points", fontsize=font, zorder=4,
-                      bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8})
+        axes.annotate(
+            name,
+            (x, y),
+            xytext=(3, 3),
+            textcoords="offset points",
+            fontsize=font,
+            zorder=4,
+            bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
+        )
 
 
 def finish(axes, points, title):
@@ -62,7 +69,7 @@ def finish(axes, points, title):
 
 
 def excess(solution):
-    """"+1.3 %", "optimal", or nothing where the optimum is not proved."""
+    """ "+1.3 %", "optimal", or nothing where the optimum is not proved."""
     if solution["optimality"] != "proved":
         return ""
     if solution["alpha_upper"] - 1 < 1e-9:

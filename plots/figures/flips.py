@@ -6,8 +6,9 @@ from library.style import GREEN, VERMILION
 
 TITLE = "The report's local search, flip by flip"
 CAPTION = (
-    "Figures 9 to 11 of the report, redrawn from points recovered from its printed perimeters. Dashed vermilion: the edge about to be flipped; "
-    "green: the edge that took its place. Each state has exactly one flip that improves, the last has none."
+    "Figures 9 to 11 of the report, redrawn from points recovered from its printed perimeters. Dashed vermilion: the"
+    " edge about to be flipped; green: the edge that took its place. Each state has exactly one flip that improves, the"
+    " last has none."
 )
 SET = "local_search_figure"
 STATES = ("flips0", "flips1", "flips2")

@@ -5,8 +5,8 @@ from figures.drawing import Gallery, dots, finish, triangulation
 
 TITLE = "A hull that weighs more than the whole"
 CAPTION = (
-    "Section 5.2.4 says that the hull's optimal triangulation never outweighs the optimum of all points. Twelve points in convex position, "
-    "optimally triangulated, and the same with one more point inside: the optimum becomes lighter."
+    "Section 5.2.4 says that the hull's optimal triangulation never outweighs the optimum of all points. Twelve points"
+    " in convex position, optimally triangulated, and the same with one more point inside: the optimum becomes lighter."
 )
 
 
@@ -15,7 +15,9 @@ def draw(results):
     if not gallery.has("hull_only.csv", "hull_bound_counterexample.csv"):
         return None
     figure, all_axes = plt.subplots(1, 2, figsize=(7.4, 3.9))
-    for axes, name, text in zip(all_axes, ("hull_only", "hull_bound_counterexample"), ("the hull alone", "with the inner point")):
+    for axes, name, text in zip(
+        all_axes, ("hull_only", "hull_bound_counterexample"), ("the hull alone", "with the inner point")
+    ):
         points = gallery.points(name)
         triangulation(axes, points, gallery.edges(name, "exact"))
         dots(axes, points, 10)

@@ -7,8 +7,9 @@ from library.style import ORANGE
 
 TITLE = "The quadtree's grid"
 CAPTION = (
-    "Section 5.4 of the report on 150 clustered points: the bounding square is split until no cell holds more than four points (left); each cell "
-    "is triangulated by itself and merged with its neighbours (right; vermilion: edges that the optimum, pale, does not have)."
+    "Section 5.4 of the report on 150 clustered points: the bounding square is split until no cell holds more than four"
+    " points (left); each cell is triangulated by itself and merged with its neighbours (right; vermilion: edges that"
+    " the optimum, pale, does not have)."
 )
 SET = "grid_points"
 CAPACITY = 4
@@ -19,9 +20,17 @@ def leaves(points, x, y, size):
     if len(points) <= CAPACITY:
         return [(x, y, size)]
     half = size / 2
-    return [leaf for left in (x, x + half) for bottom in (y, y + half)
-            for leaf in leaves([(px, py) for px, py in points if (px >= x + half) == (left > x) and (py >= y + half) == (bottom > y)],
-                               left, bottom, half)]
+    return [
+        leaf
+        for left in (x, x + half)
+        for bottom in (y, y + half)
+        for leaf in leaves(
+            [(px, py) for px, py in points if (px >= x + half) == (left > x) and (py >= y + half) == (bottom > y)],
+            left,
+            bottom,
+            half,
+        )
+    ]
 
 
 def draw(results):
@@ -35,7 +44,11 @@ def draw(results):
     for x, y, size in cells:
         all_axes[0].add_patch(Rectangle((x, y), size, size, facecolor="none", edgecolor=ORANGE, linewidth=0.8))
     dots(all_axes[0], points, 6)
-    finish(all_axes[0], [(min(xs), min(ys)), (min(xs) + cells_side(cells), min(ys) + cells_side(cells))], f"{len(cells)} cells")
+    finish(
+        all_axes[0],
+        [(min(xs), min(ys)), (min(xs) + cells_side(cells), min(ys) + cells_side(cells))],
+        f"{len(cells)} cells",
+    )
     triangulation(all_axes[1], points, gallery.edges(SET, "quadtree"), gallery.edges(SET, "exact"), linewidth=0.6)
     dots(all_axes[1], points, 5)
     finish(all_axes[1], points, f"quadtree: {excess(gallery.solution(SET, 'quadtree'))}")

@@ -5,11 +5,21 @@ from figures.drawing import Gallery, dots, excess, finish, triangulation
 
 TITLE = "The same 60 points, every algorithm"
 CAPTION = (
-    "Uniform points. Broad pale lines: the proved optimum; vermilion: edges that the optimum does not have; the figure is the excess over the "
-    "optimum's length."
+    "Uniform points. Broad pale lines: the proved optimum; vermilion: edges that the optimum does not have; the figure"
+    " is the excess over the optimum's length."
 )
 SET = "same_points"
-ALGORITHMS = ("hull_insertion", "sweep", "quadtree", "delaunay", "flip_report", "annealing", "greedy_report", "patch", "exact")
+ALGORITHMS = (
+    "hull_insertion",
+    "sweep",
+    "quadtree",
+    "delaunay",
+    "flip_report",
+    "annealing",
+    "greedy_report",
+    "patch",
+    "exact",
+)
 
 
 def draw(results):

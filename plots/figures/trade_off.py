@@ -6,8 +6,8 @@ from library.style import INK, Styles, report_first
 
 TITLE = "What time buys"
 CAPTION = (
-    "Median excess over the proved optimum against median running time at n = {n:,}, one panel per family. The stepped line is "
-    "the Pareto front: nothing is both faster and better. Optimal results lie on the bottom line."
+    "Median excess over the proved optimum against median running time at n = {n:,}, one panel per family. The stepped"
+    " line is the Pareto front: nothing is both faster and better. Optimal results lie on the bottom line."
 )
 LOWEST_EXCESS = 1e-6
 FEWEST_ALGORITHMS = 5
@@ -31,10 +31,14 @@ def front(points):
 
 
 def draw_panel(axes, cells, styles):
-    points = [(label, cell["wall_time_s"].median(), max((cell["alpha_upper"] - 1).median(), LOWEST_EXCESS))
-              for label, cell in cells.groupby("label")]
+    points = [
+        (label, cell["wall_time_s"].median(), max((cell["alpha_upper"] - 1).median(), LOWEST_EXCESS))
+        for label, cell in cells.groupby("label")
+    ]
     steps = front(points)
-    axes.step([time for _, time, _ in steps], [excess for _, _, excess in steps], where="post", color=INK, linewidth=0.8)
+    axes.step(
+        [time for _, time, _ in steps], [excess for _, _, excess in steps], where="post", color=INK, linewidth=0.8
+    )
     for label, time, excess in points:
         style = dict(styles[label], linestyle="")
         axes.plot(time, excess, clip_on=False, markersize=7, **style)
@@ -47,7 +51,14 @@ def draw_panel(axes, cells, styles):
 
 def place_names(axes, points):
     """Names beside the marks, where they meet neither marks nor other names. The axes must have their final size."""
-    places = [("left", (6, 2)), ("left", (6, -9)), ("right", (-6, 2)), ("left", (2, 7)), ("left", (2, -14)), ("left", (6, 13))]
+    places = [
+        ("left", (6, 2)),
+        ("left", (6, -9)),
+        ("right", (-6, 2)),
+        ("left", (2, 7)),
+        ("left", (2, -14)),
+        ("left", (6, 13)),
+    ]
     marks = [axes.transData.transform((time, excess)) for _, time, excess in points]
     taken = [(x - 6, y - 6, x + 6, y + 6) for x, y in marks]
     pixel = axes.figure.dpi / 72

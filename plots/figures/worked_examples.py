@@ -5,9 +5,9 @@ from figures.drawing import Gallery, dots, excess, finish, triangulation
 
 TITLE = "The report's worked example"
 CAPTION = (
-    "The ten points of sections 5.1.3 and 5.2.3. Broad pale lines: the optimum; vermilion: edges that it does not have. Greedy finds the "
-    "optimum; hull insertion, with the report's twelve triangles, is 22 % longer. The points are not in general position, as the report "
-    "requires: B, H, J; E, H, I and F, G, H lie on lines."
+    "The ten points of sections 5.1.3 and 5.2.3. Broad pale lines: the optimum; vermilion: edges that it does not have."
+    " Greedy finds the optimum; hull insertion, with the report's twelve triangles, is 22 % longer. The points are not"
+    " in general position, as the report requires: B, H, J; E, H, I and F, G, H lie on lines."
 )
 SET = "report_example"
 SHOWN = {"greedy_report": "greedy (5.1)", "hull_insertion": "hull DP + insertion (5.2)"}

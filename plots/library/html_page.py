@@ -66,18 +66,27 @@ class Page:
         for position, column in enumerate(columns):
             if not column.get("number"):
                 share_texts(column, rows, position)
-        content = json.dumps({"columns": columns, "rows": rows, **more}, ensure_ascii=False, separators=(",", ":"), default=plain)
+        content = json.dumps(
+            {"columns": columns, "rows": rows, **more}, ensure_ascii=False, separators=(",", ":"), default=plain
+        )
         content = content.replace("</", "<\\/")
         self._data.append(f'<script type="application/json" id="{name}">{content}</script>')
         return f'<div class="data-table" data-source="{name}" data-label="{escape(label)}"></div>'
 
     def text(self):
         return SKELETON.format(
-            title=escape(self._title), lead=self._lead, footer=self._footer,
-            style=(HERE / "page.css").read_text(encoding="utf-8"), script=(HERE / "page.js").read_text(encoding="utf-8"),
+            title=escape(self._title),
+            lead=self._lead,
+            footer=self._footer,
+            style=(HERE / "page.css").read_text(encoding="utf-8"),
+            script=(HERE / "page.js").read_text(encoding="utf-8"),
             links="\n".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title, _ in self._sections),
-            sections="\n".join(f'<section id="{name}"><h2>{escape(title)}</h2>\n{body}\n</section>' for name, title, body in self._sections),
-            data="\n".join(self._data))
+            sections="\n".join(
+                f'<section id="{name}"><h2>{escape(title)}</h2>\n{body}\n</section>'
+                for name, title, body in self._sections
+            ),
+            data="\n".join(self._data),
+        )
 
 
 def share_texts(column, rows, position):
@@ -110,6 +119,8 @@ def escape(text):
 def figure(name, svg, title, caption, width):
     """`width` in CSS pixels is the natural one; a narrower screen scales or scrolls it."""
     svg = svg.replace("<svg ", f'<svg width="{width:.0f}" ', 1)
-    return (f'<h3 id="figure-{name}">{escape(title)}</h3>\n<figure><div class="picture" tabindex="0" role="group" '
-            f'aria-label="{escape(title)}">{svg}</div>'
-            f"<figcaption>{escape(caption)}</figcaption></figure>")
+    return (
+        f'<h3 id="figure-{name}">{escape(title)}</h3>\n<figure><div class="picture" tabindex="0" role="group" '
+        f'aria-label="{escape(title)}">{svg}</div>'
+        f"<figcaption>{escape(caption)}</figcaption></figure>"
+    )

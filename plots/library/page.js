@@ -6,7 +6,8 @@
 //            `filter` gives the column a list of its values to choose from
 //   rows     arrays of cells; null is an empty cell
 //   sets     {name: [[first, last], ...]}: named selections of rows, offered under `sets_title`
-//   template a command with {title} for the row's cells, shown on demand
+//   templates {text: command with {title} for the row's cells}, shown on demand; `template_column` says by which
+//            column's text to choose one, "" is for all other texts
 const FIRST_ROWS = 50;
 
 class DataTable {
@@ -32,13 +33,18 @@ class DataTable {
   build() {
     const controls = this.add(this.place, "div", { className: "choices" });
     this.columns.forEach((column, position) => {
-      if (column.filter) this.addChoice(controls, column.title, this.valuesOf(position), (value) => this.choose(position, value));
+      if (!column.filter) return;
+      this.addChoice(controls, column.title, this.valuesOf(position), (value) => this.choose(position, value));
     });
     if (this.sets) {
-      this.setChoice = this.addChoice(controls, this.sets_title, Object.keys(this.sets), (value) => { this.set = value; this.refresh(); });
+      this.setChoice = this.addChoice(controls, this.sets_title, Object.keys(this.sets), (value) => this.chooseSet(value));
     }
-    const search = this.add(this.add(controls, "label", { textContent: "search " }), "input", { type: "search", size: 14 });
-    search.addEventListener("input", () => { this.words = search.value.toLowerCase().split(/\s+/).filter(Boolean); this.refresh(); });
+    const label = this.add(controls, "label", { textContent: "search " });
+    const search = this.add(label, "input", { type: "search", size: 14 });
+    search.addEventListener("input", () => {
+      this.words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+      this.refresh();
+    });
     this.count = this.add(controls, "span", { className: "soft" });
     this.count.setAttribute("role", "status");
     const scroll = this.add(this.place, "div", { className: "table-scroll", tabIndex: 0 });
@@ -48,7 +54,7 @@ class DataTable {
     this.heads = this.columns.map(() => null);
     const head = this.add(this.add(table, "thead"), "tr");
     this.columns.forEach((column, position) => this.addHead(head, column, position));
-    if (this.template) this.add(head, "th", { textContent: "command" });
+    if (this.templates) this.add(head, "th", { textContent: "command" });
     this.body = this.add(table, "tbody");
     this.more = this.add(this.place, "button", { type: "button", textContent: "show more rows" });
     this.more.addEventListener("click", () => { this.limit *= 4; this.show(); });
@@ -94,7 +100,8 @@ class DataTable {
     const descending = this.order && this.order.position === position ? !this.order.descending : false;
     this.order = { position, descending };
     this.heads.forEach((head, at) => {
-      if (at === position) head.setAttribute("aria-sort", descending ? "descending" : "ascending"); else head.removeAttribute("aria-sort");
+      if (at !== position) head.removeAttribute("aria-sort");
+      else head.setAttribute("aria-sort", descending ? "descending" : "ascending");
     });
     this.refresh();
   }
@@ -105,7 +112,8 @@ class DataTable {
   }
 
   matching() {
-    const rows = this.set ? this.sets[this.set].flatMap(([first, last]) => this.rows.slice(first, last + 1)) : this.rows;
+    const inSet = () => this.sets[this.set].flatMap(([first, last]) => this.rows.slice(first, last + 1));
+    const rows = this.set ? inSet() : this.rows;
     const found = rows.filter((row) => {
       for (const [position, value] of this.chosen) if (String(this.cell(row, position)) !== value) return false;
       if (!this.words.length) return true;
@@ -138,7 +146,7 @@ class DataTable {
       const value = this.cell(row, position);
       this.add(element, "td", { textContent: value, className: column.number ? "number" : "" });
     });
-    if (this.template) {
+    if (this.templates) {
       const button = this.add(this.add(element, "td"), "button", { type: "button", textContent: "show" });
       button.setAttribute("aria-expanded", "false");
       button.addEventListener("click", () => this.toggleCommand(element, row, button));
@@ -159,9 +167,12 @@ class DataTable {
   }
 
   command(row) {
-    const cells = Object.fromEntries(this.columns.map((column, position) => [column.title, String(this.cell(row, position))]));
+    const cells = Object.fromEntries(
+      this.columns.map((column, position) => [column.title, String(this.cell(row, position))]));
     const options = (text) => text.split(" ").filter(Boolean).map((pair) => ` --param ${pair}`).join("");
-    return this.template.replace(/\{([^{}]+?)( options)?\}/g, (_, name, asOptions) => asOptions ? options(cells[name]) : cells[name]);
+    const template = this.templates[cells[this.template_column]] || this.templates[""];
+    return template.replace(/\{([^{}]+?)( options)?\}/g,
+      (_, name, asOptions) => asOptions ? options(cells[name]) : cells[name]);
   }
 }
 
@@ -169,7 +180,12 @@ function addCopyButtons() {
   for (const block of document.querySelectorAll("pre.copy")) {
     const button = Object.assign(document.createElement("button"), { type: "button", textContent: "copy" });
     button.addEventListener("click", async () => {
-      try { await navigator.clipboard.writeText(block.textContent); button.textContent = "copied"; } catch { getSelection().selectAllChildren(block); }
+      try {
+        await navigator.clipboard.writeText(block.textContent);
+        button.textContent = "copied";
+      } catch {
+        getSelection().selectAllChildren(block);
+      }
     });
     block.after(button);
   }
@@ -179,8 +195,8 @@ function addThemeButton() {
   const button = document.getElementById("theme");
   button.addEventListener("click", () => {
     const root = document.documentElement;
-    const isDark = root.dataset.theme ? root.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-    root.dataset.theme = isDark ? "light" : "dark";
+    const shown = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
+    root.dataset.theme = shown === "dark" ? "light" : "dark";
   });
 }
 
@@ -191,13 +207,13 @@ function openTarget() {
 }
 
 function addVerdictButtons() {
-  for (const button of document.querySelectorAll("button[data-verdict]")) {
-    button.addEventListener("click", () => {
-      const pressed = button.getAttribute("aria-pressed") !== "true";
-      for (const other of document.querySelectorAll("button[data-verdict]")) other.setAttribute("aria-pressed", String(other === button && pressed));
-      for (const claim of document.querySelectorAll("details.claim")) claim.hidden = pressed && claim.dataset.verdict !== button.dataset.verdict;
-    });
-  }
+  const buttons = [...document.querySelectorAll("button[data-verdict]")];
+  const claims = [...document.querySelectorAll("details.claim")];
+  buttons.forEach((button) => button.addEventListener("click", () => {
+    const pressed = button.getAttribute("aria-pressed") !== "true";
+    buttons.forEach((other) => other.setAttribute("aria-pressed", String(other === button && pressed)));
+    claims.forEach((claim) => { claim.hidden = pressed && claim.dataset.verdict !== button.dataset.verdict; });
+  }));
 }
 
 const tables = new Map();

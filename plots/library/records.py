@@ -34,12 +34,16 @@ class Results:
         runs = self._read("runs.csv")
         runs["label"] = labels(runs["algorithm"], runs["params"])
         runs["family"] = labels(runs["generator"], runs["generator_params"])
+        is_file = runs["generator"] == "file"
+        runs.loc[is_file, "family"] = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
         return runs
 
     @functools.cached_property
     def rated(self):
-        """The runs whose alpha is certified against a proved optimum."""
-        return self.runs[(self.runs["status"] == "ok") & (self.runs["optimality"] == "proved")]
+        """The runs whose alpha is certified against a proved optimum; not those that the deadline cut short."""
+        return self.runs[
+            (self.runs["status"] == "ok") & (self.runs["optimality"] == "proved") & (self.runs["stopped_early"] == 0)
+        ]
 
     @functools.cached_property
     def instances(self):

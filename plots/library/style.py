@@ -83,19 +83,39 @@ def report_first(labels):
 
 
 def use_style():
-    plt.rcParams.update({
-        # Text as text, and no random ids: the same results give the same file.
-        "svg.fonttype": "none", "svg.hashsalt": "mwt",
-        # Verdana is as wide as matplotlib's own DejaVu Sans, in which the figures are laid out.
-        "font.family": "DejaVu Sans", "font.size": 8.5,
-        "text.color": INK, "axes.labelcolor": INK, "axes.edgecolor": INK, "xtick.color": INK, "ytick.color": INK,
-        "axes.titlesize": 9, "axes.titleweight": "bold", "axes.titlelocation": "left",
-        "axes.linewidth": 0.7, "axes.spines.top": False, "axes.spines.right": False,
-        "axes.grid": True, "grid.color": FAINT, "grid.linewidth": 0.5, "axes.axisbelow": True,
-        "axes.facecolor": "none", "figure.facecolor": PAPER, "savefig.facecolor": PAPER,
-        "legend.frameon": False, "legend.fontsize": 8.5, "lines.linewidth": 1.3, "lines.markersize": 5,
-        "lines.markeredgewidth": 1.0,
-    })
+    plt.rcParams.update(
+        {
+            # Text as text, and no random ids: the same results give the same file.
+            "svg.fonttype": "none",
+            "svg.hashsalt": "mwt",
+            # Verdana is as wide as matplotlib's own DejaVu Sans, in which the figures are laid out.
+            "font.family": "DejaVu Sans",
+            "font.size": 8.5,
+            "text.color": INK,
+            "axes.labelcolor": INK,
+            "axes.edgecolor": INK,
+            "xtick.color": INK,
+            "ytick.color": INK,
+            "axes.titlesize": 9,
+            "axes.titleweight": "bold",
+            "axes.titlelocation": "left",
+            "axes.linewidth": 0.7,
+            "axes.spines.top": False,
+            "axes.spines.right": False,
+            "axes.grid": True,
+            "grid.color": FAINT,
+            "grid.linewidth": 0.5,
+            "axes.axisbelow": True,
+            "axes.facecolor": "none",
+            "figure.facecolor": PAPER,
+            "savefig.facecolor": PAPER,
+            "legend.frameon": False,
+            "legend.fontsize": 8.5,
+            "lines.linewidth": 1.3,
+            "lines.markersize": 5,
+            "lines.markeredgewidth": 1.0,
+        }
+    )
 
 
 def legend_below(figure, handles, labels, columns=5):
@@ -121,13 +141,20 @@ def save(figure, path):
 
 def inline_svg(svg, prefix, title):
     """An SVG for a page: no prologue, ids of its own, colours that follow the page's mode, a name for screen readers."""
-    svg = svg[svg.index("<svg"):]
+    svg = svg[svg.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.S)
     svg = re.sub(r'\bid="([^"]*)"', lambda match: f'id="{prefix}-{match[1]}"', svg)
     svg = re.sub(r'(href="#|url\(#)([^")]*)', lambda match: f"{match[1]}{prefix}-{match[2]}", svg)
     width, height = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', svg).groups()
-    svg = re.sub(r"<svg[^>]*>", f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
-                 f'viewBox="0 0 {width} {height}" role="img" aria-label="{title}">', svg, count=1)
+    svg = re.sub(
+        r"<svg[^>]*>",
+        (
+            '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
+            f'viewBox="0 0 {width} {height}" role="img" aria-label="{title}">'
+        ),
+        svg,
+        count=1,
+    )
     for colour, variable in ((INK, "--ink"), (FAINT, "--faint"), (PAPER, "--paper"), (OPTIMUM, "--optimum")):
         svg = svg.replace(colour, f"var({variable})")
     return re.sub(r"\n\s*", "\n", svg)
