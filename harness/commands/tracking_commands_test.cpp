@@ -161,6 +161,11 @@ TEST_F(TrackingCommands, HistoryTellsWhatChanged) {
   EXPECT_EQ(changes[0]["aspect"], "quality");
   EXPECT_EQ(changes[0]["commit"], testing::synthetic_commit(3));
   EXPECT_EQ(changes[0]["steps"].size(), 4u);
+  const auto all = nlohmann::json::parse(mwt("history series --history h.sqlite --json").output);
+  EXPECT_EQ(all["nights"].size(), 6u);
+  EXPECT_EQ(all["series"].size(), 6u * 4 * 7) << "algorithms, instances without their seeds, measures";
+  EXPECT_EQ(all["series"][0]["values"].size(), 6u);
+  EXPECT_EQ(all["changes"], changes);
   EXPECT_TRUE(mwt("history changes --history h.sqlite").output.starts_with("2026-01-04 regression flip: quality +"));
 }
 
@@ -168,7 +173,7 @@ TEST_F(TrackingCommands, MistakesOfTrackAndHistory) {
   expect_mistake("track", "dir is required");
   expect_mistake("track missing", "missing/runs.csv");
   expect_mistake("history changes", "results/history.sqlite");
-  expect_mistake("history forget", "known: export, changes");
+  expect_mistake("history forget", "known: export, changes, series");
   expect_mistake("history export", "--csv");
   EXPECT_FALSE(std::filesystem::exists(folder_.path("results")));
 }
