@@ -240,6 +240,18 @@ TEST(Compare, CellsOfOneSideAndOtherInstancesAreCounted) {
   EXPECT_NE(text.find("8 cells only in the new results"), std::string::npos) << text;
 }
 
+TEST(Compare, AnInstanceThatCannotBeMadeAnyMoreIsAFailure) {
+  const auto fail = [](int night, RunRecord& run, RandomEngine&) {
+    if (night == 0 || run.generator != "uniform") return;
+    run.instance_id = "";
+    run.status = RunStatus::error;
+    run.wall_time_s = run.cpu_time_s = std::nullopt;
+  };
+  const Comparison comparison = compare(results_of({}, 0, fail), results_of({}, 1, fail), {});
+  EXPECT_EQ(comparison.compared_cells, 48u);
+  EXPECT_TRUE(comparison.has_exact_regression());
+}
+
 TEST(Compare, JsonAndMarkdownSayTheSame) {
   const SyntheticStudy study = twenty_pairs(0);
   const Comparison comparison = compare(results_of(study, 0, paired_noise(0.05)),
