@@ -23,9 +23,11 @@ struct Options {
 };
 
 std::string changes_text(const std::vector<Night>& nights, const std::vector<Change>& changes) {
+  if (changes.empty())
+    return "nothing has changed for good; nights in the history: " + std::to_string(nights.size()) + '\n';
   std::string text;
   for (const Change& change : changes) text += describe(change, nights) + '\n';
-  return text.empty() ? "no change in " + std::to_string(nights.size()) + " nights\n" : text;
+  return text;
 }
 
 std::string answer(const Options& options) {

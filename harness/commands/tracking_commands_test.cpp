@@ -138,6 +138,7 @@ TEST_F(TrackingCommands, TrackIsIdempotentAndExportsEverything) {
   EXPECT_NE(again.output.find("values known already"), std::string::npos) << again.output;
   EXPECT_TRUE(std::filesystem::exists(folder_.path("results/history.sqlite")));
 
+  EXPECT_EQ(mwt("history changes").output, "nothing has changed for good; nights in the history: 2\n");
   const Result exported = mwt("history export --csv");
   const std::vector<CsvRow> rows = parse_csv(exported.output);
   const std::size_t cells = 6 * 2 * 2 * 2, measures = 7;

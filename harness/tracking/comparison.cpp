@@ -172,13 +172,25 @@ class Comparer {
   }
 
   void note_weaknesses(const std::vector<TimedCell>& timed, bool has_yardstick) {
-    if (comparison_.options.paired) return;
+    if (comparison_.options.paired) return note_too_few_pairs(timed);
     note(
         "measured at different times: only differences beyond what the machine's mood explains are told; "
         "--build-a and --build-b compare two builds more keenly");
     if (!has_yardstick) note("no yardstick in these results: what slows all algorithms alike cannot be told");
     if (timed.size() < kCellsToTellSpread)
       note("too few cells to see how differently the two sessions treat them: cells are judged by repetitions alone");
+  }
+
+  /// The smallest p-value of k pairs is 2^-k; one cell alone must reach error_rate / (number of cells).
+  void note_too_few_pairs(const std::vector<TimedCell>& timed) {
+    std::size_t pairs = paired_log_ratios(timed.front()).size();
+    for (const TimedCell& cell : timed) pairs = std::min(pairs, paired_log_ratios(cell).size());
+    const double cells = static_cast<double>(timed.size());
+    const auto needed = static_cast<std::size_t>(std::ceil(std::log2(cells / comparison_.options.error_rate)));
+    if (pairs < needed) {
+      note("too few repetitions to tell a single cell's change from noise: " + std::to_string(needed) +
+           " are needed for so many cells");
+    }
   }
 
   const ResultSet& base_;

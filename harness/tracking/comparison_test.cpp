@@ -97,6 +97,18 @@ TEST(CompareSlow, TwoBuildsThatAreAlikeGiveNoAlarm) {
   EXPECT_EQ(false_alarms_of_pairs(0.25, 20), 0);
 }
 
+TEST(Compare, SaysThatThereAreTooFewPairs) {
+  SyntheticStudy study = twenty_pairs(0);
+  const auto text = [&] {
+    return comparison_text(
+        compare(results_of(study, 0, paired_noise(0.05)), results_of(study, 1, paired_noise(0.05)), paired()), false);
+  };
+  EXPECT_EQ(text().find("too few repetitions"), std::string::npos);
+  study.repetitions = 8;  // 24 cells: 2^-9 < 0.05 / 24 < 2^-8
+  EXPECT_NE(text().find("too few repetitions to tell a single cell's change from noise: 9 are needed"),
+            std::string::npos);
+}
+
 TEST(Compare, WhatSlowsBothOfAPairDoesNotMatter) {
   const SyntheticStudy study = twenty_pairs(0);
   const auto storm = [](int, RunRecord& run, RandomEngine&) {
