@@ -23,20 +23,24 @@ struct Options {
 };
 
 std::string changes_text(const std::vector<Night>& nights, const std::vector<Change>& changes) {
+  if (changes.empty())
+    return "nothing has changed for good; nights in the history: " + std::to_string(nights.size()) + '\n';
   std::string text;
   for (const Change& change : changes) text += describe(change, nights) + '\n';
-  return text.empty() ? "no change in " + std::to_string(nights.size()) + " nights\n" : text;
+  return text;
 }
 
 std::string answer(const Options& options) {
-  if (options.action != "export" && options.action != "changes")
-    throw InputError("history has no action '" + options.action + "'; known: export, changes");
+  if (options.action != "export" && options.action != "changes" && options.action != "series")
+    throw InputError("history has no action '" + options.action + "'; known: export, changes, series");
   if (options.action == "export" && !options.csv) throw InputError("give the form of the export: --csv");
+  if (options.action == "series" && !options.json) throw InputError("give the form of the series: --json");
   const std::vector<Night> nights = History(history_path(options.history), History::Mode::read).nights();
   if (options.action == "export") return history_csv(nights);
   ChangeOptions change_options;
   if (options.least_change) change_options.least_change = *options.least_change / 100;
   const std::vector<Change> changes = find_changes(nights, change_options);
+  if (options.action == "series") return series_json(changes, nights);
   return options.json ? changes_json(changes, nights) : changes_text(nights, changes);
 }
 
@@ -55,11 +59,12 @@ int history(const Options& options) {
 Command history_command() {
   const auto options = std::make_shared<Options>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("action", options->action, "export: all values; changes: what stepped, when, by how much");
+    declared.argument("action", options->action,
+                      "export: all values; changes: what stepped, when, by how much; series: both, for a dashboard");
     declared.option("--history", options->history, kHistoryHelp);
     declared.option("-o,--output", options->output, "write to this file instead of standard output");
     declared.flag("--csv", options->csv, "of export: comma-separated, one row per night, cell and measure");
-    declared.flag("--json", options->json, "of changes: a JSON array instead of lines");
+    declared.flag("--json", options->json, "of changes and series: JSON");
     declared.positive("--least-change", options->least_change,
                       "of changes: smaller steps of times and memory are not told, in percent; 3 if not given");
   };

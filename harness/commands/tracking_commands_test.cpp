@@ -138,6 +138,7 @@ TEST_F(TrackingCommands, TrackIsIdempotentAndExportsEverything) {
   EXPECT_NE(again.output.find("values known already"), std::string::npos) << again.output;
   EXPECT_TRUE(std::filesystem::exists(folder_.path("results/history.sqlite")));
 
+  EXPECT_EQ(mwt("history changes").output, "nothing has changed for good; nights in the history: 2\n");
   const Result exported = mwt("history export --csv");
   const std::vector<CsvRow> rows = parse_csv(exported.output);
   const std::size_t cells = 6 * 2 * 2 * 2, measures = 7;
@@ -161,6 +162,11 @@ TEST_F(TrackingCommands, HistoryTellsWhatChanged) {
   EXPECT_EQ(changes[0]["aspect"], "quality");
   EXPECT_EQ(changes[0]["commit"], testing::synthetic_commit(3));
   EXPECT_EQ(changes[0]["steps"].size(), 4u);
+  const auto all = nlohmann::json::parse(mwt("history series --history h.sqlite --json").output);
+  EXPECT_EQ(all["nights"].size(), 6u);
+  EXPECT_EQ(all["series"].size(), 6u * 4 * 7) << "algorithms, instances without their seeds, measures";
+  EXPECT_EQ(all["series"][0]["values"].size(), 6u);
+  EXPECT_EQ(all["changes"], changes);
   EXPECT_TRUE(mwt("history changes --history h.sqlite").output.starts_with("2026-01-04 regression flip: quality +"));
 }
 
@@ -168,7 +174,7 @@ TEST_F(TrackingCommands, MistakesOfTrackAndHistory) {
   expect_mistake("track", "dir is required");
   expect_mistake("track missing", "missing/runs.csv");
   expect_mistake("history changes", "results/history.sqlite");
-  expect_mistake("history forget", "known: export, changes");
+  expect_mistake("history forget", "known: export, changes, series");
   expect_mistake("history export", "--csv");
   EXPECT_FALSE(std::filesystem::exists(folder_.path("results")));
 }

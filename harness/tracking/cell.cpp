@@ -20,9 +20,10 @@ std::string algorithm_label(const TrackedCell& cell) {
          (cell.threads == 1 ? "" : " threads=" + std::to_string(cell.threads));
 }
 
+std::string family_label(const TrackedCell& cell) { return with_parameters(cell.generator, cell.generator_params); }
+
 std::string instance_label(const TrackedCell& cell) {
-  return with_parameters(cell.generator, cell.generator_params) + " n=" + std::to_string(cell.n) +
-         " seed=" + std::to_string(cell.seed);
+  return family_label(cell) + " n=" + std::to_string(cell.n) + " seed=" + std::to_string(cell.seed);
 }
 
 std::map<TrackedCell, std::vector<const RunRecord*>> by_cell(const std::vector<RunRecord>& runs) {

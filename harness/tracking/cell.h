@@ -26,8 +26,10 @@ struct TrackedCell {
 
 [[nodiscard]] TrackedCell cell_of(const RunRecord& record);
 
-/// "flip start=sweep", "uniform n=100 seed=1": the two halves of a cell for messages and tables.
+/// "flip start=sweep", "clustered clusters=5", "clustered clusters=5 n=100 seed=1": parts of a cell for messages and
+/// tables.
 [[nodiscard]] std::string algorithm_label(const TrackedCell& cell);
+[[nodiscard]] std::string family_label(const TrackedCell& cell);
 [[nodiscard]] std::string instance_label(const TrackedCell& cell);
 
 /// The records of every cell, in their order.

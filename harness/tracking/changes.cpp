@@ -133,8 +133,7 @@ std::string where(const Change& change) {
   std::vector<std::string> places;
   for (const SeriesStep& step : change.steps) {
     const TrackedCell& cell = step.key.cell;
-    const std::string place = cell.generator + (cell.generator_params.empty() ? "" : ' ' + cell.generator_params) +
-                              " n=" + std::to_string(cell.n);
+    const std::string place = family_label(cell) + " n=" + std::to_string(cell.n);
     if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
   }
   constexpr std::size_t kNamed = 4;

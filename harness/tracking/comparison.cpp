@@ -6,20 +6,12 @@
 #include <set>
 
 #include "geometry/error.h"
-#include "harness/statistics/false_discovery.h"
-#include "harness/statistics/quantile.h"
-#include "harness/statistics/shift.h"
-#include "harness/tracking/time_comparison.h"
 
 namespace mwt {
 
 namespace {
 
 using Runs = std::vector<const RunRecord*>;
-using Repetitions = std::map<int, double>;  ///< logarithms of times
-
-constexpr const char* kAll = "all";            ///< the row of all algorithms
-constexpr std::size_t kCellsToTellSpread = 5;  ///< fewer do not show how differently two sessions treat a cell
 
 /// A cell that both sides have.
 struct CommonCell {
@@ -28,26 +20,19 @@ struct CommonCell {
   Runs now;
 };
 
-/// A cell whose times are judged.
-struct TimedCell {
-  TrackedCell cell;
-  Repetitions base;
-  Repetitions now;
-};
-
-struct JudgedRow {
-  TimeRow row;
-  TimeJudgement judgement;
-};
-
 std::set<std::string> values_of_field(const Runs& runs, std::string RunRecord::*field) {
   std::set<std::string> values;
   for (const RunRecord* run : runs) values.insert(run->*field);
   return values;
 }
 
+/// Runs without an instance have failed before they had one; they do not say that it is another.
 bool same_instance(const CommonCell& cell) {
-  return values_of_field(cell.base, &RunRecord::instance_id) == values_of_field(cell.now, &RunRecord::instance_id);
+  std::set<std::string> base = values_of_field(cell.base, &RunRecord::instance_id);
+  std::set<std::string> now = values_of_field(cell.now, &RunRecord::instance_id);
+  base.erase("");
+  now.erase("");
+  return base.empty() || now.empty() || base == now;
 }
 
 bool same_binary(const CommonCell& cell) {
@@ -70,12 +55,6 @@ Repetitions log_times(const Measure& measure, const Runs& runs) {
   return times;
 }
 
-std::vector<double> values_of(const Repetitions& repetitions) {
-  std::vector<double> values;
-  for (const auto& [repetition, value] : repetitions) values.push_back(value);
-  return values;
-}
-
 /// Whether every successful run was measured long enough for the ticks of CPU clocks, which may last milliseconds.
 bool has_steady_cpu_time(const Runs& runs) {
   constexpr double kLongEnough = 0.01;
@@ -84,134 +63,6 @@ bool has_steady_cpu_time(const Runs& runs) {
     return run->wall_time_s.value_or(0) * static_cast<double>(run->iterations.value_or(1)) >= kLongEnough;
   });
 }
-
-/// now - base for each repetition that both sides have.
-Repetitions paired_log_ratios(const TimedCell& cell) {
-  Repetitions ratios;
-  for (const auto& [repetition, time] : cell.now) {
-    const auto before = cell.base.find(repetition);
-    if (before != cell.base.end()) ratios[repetition] = time - before->second;
-  }
-  return ratios;
-}
-
-/// In each repetition the pseudo-median over the cells.
-std::vector<double> typical_by_repetition(const std::vector<const TimedCell*>& cells) {
-  std::map<int, std::vector<double>> ratios;
-  for (const TimedCell* cell : cells) {
-    for (const auto& [repetition, ratio] : paired_log_ratios(*cell)) ratios[repetition].push_back(ratio);
-  }
-  std::vector<double> typical;
-  for (const auto& [repetition, values] : ratios) typical.push_back(pseudo_median(values));
-  return typical;
-}
-
-/// Judges the times of the cells of both sides, one row per cell and one per algorithm.
-class TimeTable {
- public:
-  TimeTable(const std::vector<TimedCell>& cells, const CompareOptions& options, bool has_yardstick)
-      : cells_(cells), options_(options), has_yardstick_(has_yardstick) {
-    for (const TimedCell& cell : cells_) {
-      log_ratios_.push_back(options_.paired ? pseudo_median(values_of(paired_log_ratios(cell)))
-                                            : shift_between(values_of(cell.base), values_of(cell.now)));
-    }
-  }
-
-  [[nodiscard]] std::vector<TimeRow> cell_rows() const {
-    std::vector<JudgedRow> rows;
-    for (const TimedCell& cell : cells_) rows.push_back(cell_row(cell));
-    return decided(rows);
-  }
-
-  [[nodiscard]] std::vector<TimeRow> algorithm_rows() const {
-    std::map<std::string, std::vector<std::size_t>> members;
-    std::vector<std::size_t> all;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      members[algorithm_label(cells_[i].cell)].push_back(i);
-      all.push_back(i);
-    }
-    std::vector<JudgedRow> rows;
-    for (const auto& [algorithm, cells] : members) rows.push_back(algorithm_row(algorithm, cells));
-    if (members.size() > 1) rows.push_back(algorithm_row(kAll, all));
-    return decided(rows);
-  }
-
- private:
-  [[nodiscard]] JudgedRow cell_row(const TimedCell& cell) const {
-    JudgedRow judged;
-    judged.row.name = cell.cell.algorithm;
-    judged.row.algorithm = algorithm_label(cell.cell);
-    judged.row.instance = instance_label(cell.cell);
-    judged.row.base = std::exp(median(values_of(cell.base)));
-    judged.row.now = std::exp(median(values_of(cell.now)));
-    if (options_.paired) {
-      const std::vector<double> ratios = values_of(paired_log_ratios(cell));
-      judged.row.observations = ratios.size();
-      judged.judgement = judge_log_ratios(ratios, options_.threshold);
-    } else {
-      judged.row.observations = std::min(cell.base.size(), cell.now.size());
-      judged.judgement = judge_log_times(values_of(cell.base), values_of(cell.now), options_.threshold);
-      if (cells_.size() >= kCellsToTellSpread) require_standing_out(judged.judgement, log_ratios_, options_.threshold);
-    }
-    return judged;
-  }
-
-  [[nodiscard]] JudgedRow algorithm_row(const std::string& algorithm, const std::vector<std::size_t>& members) const {
-    const std::vector<double> observations = observations_of(members);
-    JudgedRow judged;
-    judged.row.name = algorithm == kAll ? kAll : cells_[members.front()].cell.algorithm;
-    judged.row.algorithm = algorithm;
-    judged.row.observations = observations.size();
-    judged.judgement = judge_log_ratios(observations, options_.threshold);
-    if (options_.paired) return judged;
-    std::vector<double> others;
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      if (std::find(members.begin(), members.end(), i) == members.end()) others.push_back(log_ratios_[i]);
-    }
-    require_difference_from_others(judged.judgement, observations, others, options_.threshold);
-    // Without the yardstick nobody knows whether all algorithms or the machine became slower.
-    if (others.empty() && !has_yardstick_) judged.judgement.p_slower = judged.judgement.p_faster = 1;
-    return judged;
-  }
-
-  [[nodiscard]] std::vector<double> observations_of(const std::vector<std::size_t>& members) const {
-    std::vector<const TimedCell*> cells;
-    std::vector<double> log_ratios;
-    for (const std::size_t i : members) {
-      cells.push_back(&cells_[i]);
-      log_ratios.push_back(log_ratios_[i]);
-    }
-    return options_.paired ? typical_by_repetition(cells) : log_ratios;
-  }
-
-  /// With the correction for as many tests as there are rows.
-  [[nodiscard]] std::vector<TimeRow> decided(const std::vector<JudgedRow>& judged) const {
-    std::vector<double> slower, faster;
-    for (const JudgedRow& one : judged) {
-      slower.push_back(one.judgement.p_slower);
-      faster.push_back(one.judgement.p_faster);
-    }
-    slower = benjamini_hochberg(slower);
-    faster = benjamini_hochberg(faster);
-    std::vector<TimeRow> rows;
-    for (std::size_t i = 0; i < judged.size(); ++i) {
-      TimeRow& row = rows.emplace_back(judged[i].row);
-      row.ratio = judged[i].judgement.ratio;
-      row.q_slower = slower[i];
-      row.q_faster = faster[i];
-      if (row.q_slower <= options_.error_rate && row.ratio.lower > 1 + options_.threshold)
-        row.verdict = Verdict::regression;
-      if (row.q_faster <= options_.error_rate && row.ratio.upper < 1 / (1 + options_.threshold))
-        row.verdict = Verdict::improvement;
-    }
-    return rows;
-  }
-
-  const std::vector<TimedCell>& cells_;
-  const CompareOptions& options_;
-  bool has_yardstick_;
-  std::vector<double> log_ratios_;  // of each cell
-};
 
 class Comparer {
  public:
@@ -298,10 +149,9 @@ class Comparer {
     comparison_.time_measure = measure.name;
     if (timed.empty()) return;
     note_weaknesses(timed, measure.name == "relative_time");
-    const TimeTable table(timed, comparison_.options, measure.name == "relative_time");
-    comparison_.algorithms = table.algorithm_rows();
-    const std::vector<TimeRow> rows = table.cell_rows();
-    comparison_.cells.insert(comparison_.cells.end(), rows.begin(), rows.end());
+    TimeTable table = make_time_table(timed, comparison_.options, measure.name == "relative_time");
+    comparison_.algorithms = std::move(table.algorithms);
+    comparison_.cells.insert(comparison_.cells.end(), table.cells.begin(), table.cells.end());
   }
 
   void add_identical_row(const CommonCell& cell, const Measure& measure) {
@@ -322,13 +172,25 @@ class Comparer {
   }
 
   void note_weaknesses(const std::vector<TimedCell>& timed, bool has_yardstick) {
-    if (comparison_.options.paired) return;
+    if (comparison_.options.paired) return note_too_few_pairs(timed);
     note(
         "measured at different times: only differences beyond what the machine's mood explains are told; "
         "--build-a and --build-b compare two builds more keenly");
     if (!has_yardstick) note("no yardstick in these results: what slows all algorithms alike cannot be told");
     if (timed.size() < kCellsToTellSpread)
       note("too few cells to see how differently the two sessions treat them: cells are judged by repetitions alone");
+  }
+
+  /// The smallest p-value of k pairs is 2^-k; one cell alone must reach error_rate / (number of cells).
+  void note_too_few_pairs(const std::vector<TimedCell>& timed) {
+    std::size_t pairs = paired_log_ratios(timed.front()).size();
+    for (const TimedCell& cell : timed) pairs = std::min(pairs, paired_log_ratios(cell).size());
+    const double cells = static_cast<double>(timed.size());
+    const auto needed = static_cast<std::size_t>(std::ceil(std::log2(cells / comparison_.options.error_rate)));
+    if (pairs < needed) {
+      note("too few repetitions to tell a single cell's change from noise: " + std::to_string(needed) +
+           " are needed for so many cells");
+    }
   }
 
   const ResultSet& base_;
@@ -342,16 +204,6 @@ class Comparer {
 bool is_regression(const TimeRow& row) { return row.verdict == Verdict::regression; }
 
 }  // namespace
-
-std::string name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::same: return "same";
-    case Verdict::regression: return "regression";
-    case Verdict::improvement: return "improvement";
-    case Verdict::identical_binary: return "identical binary";
-  }
-  return "";
-}
 
 bool Comparison::has_exact_regression() const {
   return std::any_of(findings.begin(), findings.end(),
@@ -367,11 +219,11 @@ std::vector<std::string> Comparison::slower_algorithms() const {
   std::set<std::string> slower, all;
   for (const std::vector<TimeRow>* rows : {&algorithms, &cells}) {
     for (const TimeRow& row : *rows) {
-      if (row.name != kAll) all.insert(row.name);
+      if (row.name != kAllAlgorithms) all.insert(row.name);
       if (is_regression(row)) slower.insert(row.name);
     }
   }
-  const std::set<std::string>& chosen = slower.contains(kAll) ? all : slower;
+  const std::set<std::string>& chosen = slower.contains(kAllAlgorithms) ? all : slower;
   return {chosen.begin(), chosen.end()};
 }
 

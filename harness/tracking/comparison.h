@@ -7,8 +7,8 @@
 //
 // - Paired results (two builds run in turn, repetition by repetition; `mwt compare --build-a A --build-b B`): a pair's
 //   logarithmic ratio is one observation, so that what slows both alike cancels. A cell has as many observations as
-//   repetitions; an algorithm as well: in each repetition the median over its cells, which is far steadier than any
-//   cell.
+//   repetitions; an algorithm as well: in each repetition the pseudo-median (statistics/shift.h) over its cells, which
+//   is far steadier than any cell.
 // - Results of two folders were measured at different times, and a machine's mood differs between them more than
 //   between the repetitions of one folder. A cell must therefore also stand out from the other cells' ratios (Student's
 //   t with 3 degrees of freedom, for they have heavy tails, and with their robust standard deviation); an algorithm's
@@ -23,36 +23,11 @@
 #include <string>
 #include <vector>
 
-#include "harness/statistics/bootstrap.h"
 #include "harness/tracking/exact_findings.h"
 #include "harness/tracking/result_set.h"
+#include "harness/tracking/time_table.h"
 
 namespace mwt {
-
-struct CompareOptions {
-  double threshold = 0.05;   ///< relative; slower by less is no regression, faster by less no improvement
-  double error_rate = 0.05;  ///< false discovery rate, separately for algorithms and for cells
-  bool paired = false;       ///< repetition i of both was measured side by side
-  bool force = false;        ///< compare times of different machines, and of identical binaries
-  std::optional<std::string> time_measure;  ///< one of measures(); see below for the default
-};
-
-enum class Verdict { same, regression, improvement, identical_binary };
-[[nodiscard]] std::string name_of(Verdict verdict);
-
-/// How the times of some runs compare.
-struct TimeRow {
-  std::string name;       ///< of the algorithm; "all" for all of them
-  std::string algorithm;  ///< the same with its parameters
-  std::string instance;   ///< empty for a row of an algorithm
-  std::size_t observations = 0;
-  double base = 0;  ///< median; 0 for rows of algorithms, whose cells are not alike
-  double now = 0;
-  Estimate ratio;       ///< of new to base, with its 95% bootstrap interval
-  double q_slower = 1;  ///< adjusted p-value of "slower by more than the threshold"
-  double q_faster = 1;
-  Verdict verdict = Verdict::same;
-};
 
 struct Comparison {
   CompareOptions options;

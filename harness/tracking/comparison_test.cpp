@@ -97,6 +97,18 @@ TEST(CompareSlow, TwoBuildsThatAreAlikeGiveNoAlarm) {
   EXPECT_EQ(false_alarms_of_pairs(0.25, 20), 0);
 }
 
+TEST(Compare, SaysThatThereAreTooFewPairs) {
+  SyntheticStudy study = twenty_pairs(0);
+  const auto text = [&] {
+    return comparison_text(
+        compare(results_of(study, 0, paired_noise(0.05)), results_of(study, 1, paired_noise(0.05)), paired()), false);
+  };
+  EXPECT_EQ(text().find("too few repetitions"), std::string::npos);
+  study.repetitions = 8;  // 24 cells: 2^-9 < 0.05 / 24 < 2^-8
+  EXPECT_NE(text().find("too few repetitions to tell a single cell's change from noise: 9 are needed"),
+            std::string::npos);
+}
+
 TEST(Compare, WhatSlowsBothOfAPairDoesNotMatter) {
   const SyntheticStudy study = twenty_pairs(0);
   const auto storm = [](int, RunRecord& run, RandomEngine&) {
@@ -238,6 +250,18 @@ TEST(Compare, CellsOfOneSideAndOtherInstancesAreCounted) {
   EXPECT_NE(text.find("4 cells not compared: the generator makes other points now"), std::string::npos) << text;
   EXPECT_NE(text.find("40 cells only in the base"), std::string::npos) << text;
   EXPECT_NE(text.find("8 cells only in the new results"), std::string::npos) << text;
+}
+
+TEST(Compare, AnInstanceThatCannotBeMadeAnyMoreIsAFailure) {
+  const auto fail = [](int night, RunRecord& run, RandomEngine&) {
+    if (night == 0 || run.generator != "uniform") return;
+    run.instance_id = "";
+    run.status = RunStatus::error;
+    run.wall_time_s = run.cpu_time_s = std::nullopt;
+  };
+  const Comparison comparison = compare(results_of({}, 0, fail), results_of({}, 1, fail), {});
+  EXPECT_EQ(comparison.compared_cells, 48u);
+  EXPECT_TRUE(comparison.has_exact_regression());
 }
 
 TEST(Compare, JsonAndMarkdownSayTheSame) {

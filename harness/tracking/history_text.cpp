@@ -33,7 +33,8 @@ CsvRow row_of(std::size_t position, const Night& night, const NightValue& value)
 
 Json json_of(const SeriesStep& step) {
   const TrackedCell& cell = step.key.cell;
-  return {{"params", cell.params},
+  return {{"instance", family_label(cell)},
+          {"params", cell.params},
           {"threads", cell.threads},
           {"generator", cell.generator},
           {"generator_params", cell.generator_params},
@@ -44,19 +45,30 @@ Json json_of(const SeriesStep& step) {
           {"after", step.after}};
 }
 
-}  // namespace
-
-std::string history_csv(const std::vector<Night>& nights) {
-  std::string text =
-      csv_line({"night", "recorded_at", "git_commit", "environment", "machine", "study", "algorithm", "params",
-                "threads", "generator", "generator_params", "n", "seed", "measure", "value", "runs"});
-  for (std::size_t night = 0; night < nights.size(); ++night) {
-    for (const NightValue& value : nights[night].values) text += csv_line(row_of(night, nights[night], value));
-  }
-  return text;
+Json json_of(const Night& night) {
+  return {{"recorded_at", night.recorded_at},
+          {"commit", night.git_commit},
+          {"environment", night.environment},
+          {"machine", night.machine},
+          {"study", night.study}};
 }
 
-std::string changes_json(const std::vector<Change>& changes, const std::vector<Night>& nights) {
+Json json_of(const Series& series) {
+  const TrackedCell& cell = series.key.cell;
+  const Measure& measure = measure_named(series.key.measure);
+  return {{"study", series.key.study},
+          {"environment", series.key.environment},
+          {"algorithm", algorithm_label(cell)},
+          {"instance", family_label(cell)},
+          {"n", cell.n},
+          {"measure", measure.name},
+          {"aspect", name_of(measure.aspect)},
+          {"unit", measure.unit},
+          {"nights", series.nights},
+          {"values", series.values}};
+}
+
+Json array_of(const std::vector<Change>& changes, const std::vector<Night>& nights) {
   Json array = Json::array();
   for (const Change& change : changes) {
     const Night& night = nights[change.night];
@@ -75,7 +87,32 @@ std::string changes_json(const std::vector<Change>& changes, const std::vector<N
     for (const SeriesStep& step : change.steps) object["steps"].push_back(json_of(step));
     array.push_back(std::move(object));
   }
-  return array.dump(1) + '\n';
+  return array;
+}
+
+}  // namespace
+
+std::string history_csv(const std::vector<Night>& nights) {
+  std::string text =
+      csv_line({"night", "recorded_at", "git_commit", "environment", "machine", "study", "algorithm", "params",
+                "threads", "generator", "generator_params", "n", "seed", "measure", "value", "runs"});
+  for (std::size_t night = 0; night < nights.size(); ++night) {
+    for (const NightValue& value : nights[night].values) text += csv_line(row_of(night, nights[night], value));
+  }
+  return text;
+}
+
+std::string changes_json(const std::vector<Change>& changes, const std::vector<Night>& nights) {
+  return array_of(changes, nights).dump(1) + '\n';
+}
+
+std::string series_json(const std::vector<Change>& changes, const std::vector<Night>& nights) {
+  Json night_array = Json::array();
+  for (const Night& night : nights) night_array.push_back(json_of(night));
+  Json series_array = Json::array();
+  for (const Series& series : series_of(nights)) series_array.push_back(json_of(series));
+  const Json object = {{"nights", night_array}, {"series", series_array}, {"changes", array_of(changes, nights)}};
+  return object.dump() + '\n';
 }
 
 }  // namespace mwt

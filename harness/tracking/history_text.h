@@ -14,8 +14,13 @@ namespace mwt {
 [[nodiscard]] std::string history_csv(const std::vector<Night>& nights);
 
 /// An array with one object per change: study, environment, algorithm, aspect, regression, night, recorded_at, commit,
-/// previous_commit, factor, text, and steps: [{params, threads, generator, generator_params, n, measure, night, before,
-/// after}].
+/// previous_commit, factor, text, and steps: [{instance, params, threads, generator, generator_params, n, measure,
+/// night, before, after}].
 [[nodiscard]] std::string changes_json(const std::vector<Change>& changes, const std::vector<Night>& nights);
+
+/// All that a dashboard shows, one object: nights [{recorded_at, commit, environment, machine, study}], series [{study,
+/// environment, algorithm (with its parameters), instance (family with its parameters), n, measure, aspect, unit,
+/// nights, values}] as series_of() makes them, and changes as changes_json() tells them.
+[[nodiscard]] std::string series_json(const std::vector<Change>& changes, const std::vector<Night>& nights);
 
 }  // namespace mwt
