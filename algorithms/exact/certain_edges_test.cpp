@@ -86,8 +86,8 @@ struct Crossing {
   Edge certain;
 };
 
-// Of certain edges: property (4). Of other candidates: not promised, but true of families whose scales do not jump. Over
-// pairs of edges whose boxes meet.
+// Of certain edges: property (4). Of other candidates: not promised, but true of families whose scales do not jump.
+// Over pairs of edges whose boxes meet.
 std::vector<Crossing> crossings_of_certain_edges(const CandidateGraph& graph) {
   struct BoxedEdge {
     Edge edge;

@@ -55,7 +55,8 @@ class Commands : public ::testing::Test {
 TEST_F(Commands, MistakesOnTheCommandLine) {
   expect_mistake("", "no command");
   expect_mistake("sovle x",
-                 "unknown command 'sovle'; known: list, generate, solve, check, draw, run, merge, report, hunt");
+                 "unknown command 'sovle'; known: list, generate, solve, check, draw, run, merge, report, compare, "
+                 "track, history, hunt");
   expect_mistake("generate", "family is required");
   expect_mistake("generate uniform --n ten -o p.txt", "--n");
   expect_mistake("generate uniform --n -5 -o p.txt", "--n");
