@@ -95,7 +95,7 @@ TEST_F(TrackingCommands, TwoBuildsAreRunInTurn) {
   EXPECT_EQ(json["cells"][0]["algorithm"], "flip order=stack start=sweep trace=off");
   const auto forced = nlohmann::json::parse(mwt("compare ab/base ab/new --paired --force --json").output);
   EXPECT_EQ(forced["cells"][0]["observations"], 3);
-  expect_mistake(builds + " --study s.toml --out ab", "has something in it already");
+  expect_mistake(builds + " --study s.toml --out ab", "already; continue");
   expect_mistake(builds + " --study s.toml --out other --algorithm greedy", "has no algorithm 'greedy'");
 }
 

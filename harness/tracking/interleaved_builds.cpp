@@ -61,7 +61,7 @@ void require_algorithms(const Plan& plan, const Study& study, const std::vector<
   }
 }
 
-/// Every cell that is to be run, as a study file. Only cells of `algorithms`, unless that is empty.
+/// Every cell of a family that is to be run, as a study file. Only cells of `algorithms`, unless that is empty.
 std::vector<std::string> cells_of(const Study& study, const Catalogue& catalogue,
                                   const std::vector<std::string>& algorithms) {
   const Plan plan = make_plan(study, catalogue);
@@ -73,12 +73,11 @@ std::vector<std::string> cells_of(const Study& study, const Catalogue& catalogue
   std::set<std::string> known;
   for (const PlannedRun& run : plan.runs) {
     const PlannedInstance& instance = plan.instances[run.instance];
-    if (instance.generator == kFileGenerator)
-      throw InputError("study '" + study.name + "' reads point files; builds are compared on families only");
-    if (instance.n > run.largest_n || !is_wanted(run.algorithm->name)) continue;
+    if (instance.generator == kFileGenerator || instance.n > run.largest_n || !is_wanted(run.algorithm->name)) continue;
     std::string cell = study_of(study, instance, run);
     if (known.insert(cell).second) cells.push_back(std::move(cell));
   }
+  if (cells.empty()) throw InputError("study '" + study.name + "' has nothing to run on generated points");
   return cells;
 }
 
