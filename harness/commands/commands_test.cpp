@@ -120,7 +120,7 @@ TEST_F(Commands, MistakesInStudies) {
   write("bad.toml", "name = \"bad\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [10]\nalgorithms = [\"no\"]\n");
   expect_mistake("run bad.toml", "bad.toml:5: unknown algorithm 'no'");
   expect_mistake("run missing.toml", "missing.toml");
-  expect_mistake("run no_such_study", "known: report, report_full");
+  expect_mistake("run no_such_study", "known: growth, report, report_full");
   EXPECT_FALSE(std::filesystem::exists(folder_.path("results")));
 }
 
@@ -145,7 +145,7 @@ TEST_F(Commands, ListsAreCompleteJson) {
   const auto families = nlohmann::json::parse(mwt("list generators --json").output);
   ASSERT_EQ(families.size(), generators().size());
   const auto studies = nlohmann::json::parse(mwt("list studies --json").output);
-  EXPECT_EQ(studies[0]["name"], "report");
+  EXPECT_TRUE(std::any_of(studies.begin(), studies.end(), [](const auto& study) { return study["name"] == "report"; }));
   EXPECT_NE(mwt("list generators").output.find("uniform"), std::string::npos);
 }
 

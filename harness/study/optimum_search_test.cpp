@@ -17,12 +17,12 @@ std::vector<std::string> default_sources(Index n, bool in_convex_position) {
 
 TEST(OptimumSources, ByDefaultTheOneThatReachesFurthestComesFirst) {
   for (const Index n : {3, 13, 25, 1000, 1000000}) EXPECT_EQ(default_sources(n, false).front(), "exact") << n;
-  EXPECT_EQ(default_sources(1000, false), std::vector<std::string>{"exact"});
+  EXPECT_EQ(default_sources(1000, false), (std::vector<std::string>{"exact", "two_chains"}));
 }
 
 TEST(OptimumSources, ConvexPositionHasItsOwn) {
-  EXPECT_EQ(default_sources(1000, true), (std::vector<std::string>{"polygon_dp", "exact"}));
-  EXPECT_EQ(default_sources(3000, true), std::vector<std::string>{"exact"});
+  EXPECT_EQ(default_sources(1000, true), (std::vector<std::string>{"polygon_dp", "exact", "two_chains"}));
+  EXPECT_EQ(default_sources(6000, true), (std::vector<std::string>{"exact", "two_chains"}));
 }
 
 }  // namespace
