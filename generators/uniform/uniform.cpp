@@ -33,7 +33,7 @@ GeneratorInfo uniform_entry() {
           "sqrt n",
       .largest_n = kMostPoints,
       .parameters = {},
-      .growth_laws = {law("greedy", GrowthLaw::Kind::range, 1, 1.03), law("delaunay", GrowthLaw::Kind::range, 1, 1.03),
+      .growth_laws = {law("greedy", GrowthLaw::Kind::range, 1, 1.03), law("delaunay", GrowthLaw::Kind::range, 1, 1.05),
                       law("hull_insertion", GrowthLaw::Kind::power, .2, .26),
                       law("sweep", GrowthLaw::Kind::power, .45, .55)},
       .function = [](Index n, std::uint64_t seed, const Parameters&) { return uniform_points(n, seed); }};
