@@ -6,6 +6,7 @@
 #include "geometry/output_file.h"
 #include "harness/claims/claims.h"
 #include "harness/report/final_rating.h"
+#include "harness/report/growth_laws.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
 
@@ -24,6 +25,11 @@ void print_cells(const ReportData& data, std::ostream& out) { out << cell_tables
 void print_growth(const ReportData& data, std::ostream& out) {
   const std::string table = growth_tables(data.growth, data.labels);
   if (!table.empty()) out << table << '\n';
+}
+
+void print_growth_laws(const ReportData& data, std::ostream& out) {
+  const std::string table = growth_law_table(test_growth_laws(data.records.runs, Catalogue::built_in()));
+  if (!table.empty()) out << "growth laws stated by families\n" << table << '\n';
 }
 
 void print_algorithms(const ReportData& data, std::ostream& out) {
@@ -58,7 +64,8 @@ ReportData read_report_data(const std::string& folder) {
 }
 
 std::vector<ReportPart> report_parts() {
-  return {print_cells, print_growth, print_algorithms, write_summary, write_exponents, judge_source_report};
+  return {print_cells,   print_growth,    print_growth_laws,  print_algorithms,
+          write_summary, write_exponents, judge_source_report};
 }
 
 }  // namespace mwt
