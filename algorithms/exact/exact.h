@@ -8,9 +8,11 @@ namespace mwt {
 /// The stages, each a unit of its own in this folder:
 ///   1. kd_order: neighbours in the plane become neighbours in memory;
 ///   2. diamond_candidates: all edges that may be in a minimum weight triangulation, about 11.6 n;
+///      far_edges: the same test again for very long edges, by angles instead of coordinates;
 ///   3. lmt_skeleton: deletes edges that are locally minimal in no quadrilateral; about 3.8 n stay;
 ///   4. certain_edges: those that nothing crosses any more, about 2.5 n, are in every optimum (up to ties);
-///   5. face_solver: each face of the certain edges by dynamic or linear programming.
+///   5. face_solver: each face of the certain edges: polygons by dynamic programs, faces with one hole by dynamic
+///      programs after a cut, faces with more by linear programs with branching.
 /// All points on the hull: only stage 5, over all diagonals.
 ///
 /// Preconditions: distinct points, not all collinear. Collinear triples, ties and all magnitudes are normal input.

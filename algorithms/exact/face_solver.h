@@ -21,14 +21,15 @@ struct FaceSolution {
   std::uint64_t dp_cells = 0;             ///< intervals whose optimum was computed
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums of roots that doubles could not decide
   std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart
-  std::uint64_t faces_with_holes = 0;     ///< solved by linear programming
+  std::uint64_t faces_with_holes = 0;     ///< or isolated vertices
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
   std::uint64_t unsolved_faces = 0;  ///< cut short by a limit; each contributes its own lower bound
 };
 
-/// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). Faces with holes or
-/// isolated vertices: linear program with branching (region_program.h).
+/// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). With one hole or
+/// isolated vertex: the same after each of a few cuts (cut_region.h). With more: linear program with branching
+/// (region_program.h).
 ///
 /// Precondition: the graph's properties (1) to (4); where a violation shows, std::logic_error. SearchStopped with a
 /// lower bound, if the deadline passes before the faces are known.
