@@ -5,7 +5,8 @@
 
 namespace mwt {
 
-/// Median seconds of up to seven measure_yardstick_s(); fewer, but at least one, once half a second is spent.
+/// Median seconds of up to seven measure_yardstick_s(); fewer, but at least one, once half a second is spent. One of 10
+/// ms or more counts with its CPU time if that is less: what other programs took is not in it.
 /// Preconditions as there.
 [[nodiscard]] double yardstick_time_s(Points points);
 

@@ -11,7 +11,7 @@ namespace mwt {
 
 namespace {
 
-constexpr double kMemorySlack = 1 << 20;
+constexpr double kMemorySlack = 4 << 20;  // two huge pages
 
 using Runs = std::vector<const RunRecord*>;
 

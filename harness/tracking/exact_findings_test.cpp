@@ -81,12 +81,12 @@ TEST(ExactFindings, FailuresBySharesOfRuns) {
 
 TEST(ExactFindings, MemoryMustGrowClearlyInEveryRun) {
   RunRecord more = good_run();
-  *more.peak_rss_bytes += 3'000'000;
+  *more.peak_rss_bytes += 6'000'000;
   ASSERT_EQ(findings({good_run()}, {more, more}).size(), 1u);
   EXPECT_EQ(findings({good_run()}, {more})[0].aspect, Aspect::memory);
   EXPECT_TRUE(findings({good_run()}, {more, good_run()}).empty());
   RunRecord little_more = good_run();
-  *little_more.peak_rss_bytes += 1'500'000;
+  *little_more.peak_rss_bytes += 3'000'000;
   EXPECT_TRUE(findings({good_run()}, {little_more}).empty());
   EXPECT_FALSE(findings({more}, {good_run()})[0].is_regression);
 }

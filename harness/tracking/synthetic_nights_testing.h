@@ -76,6 +76,7 @@ inline std::vector<RunRecord> synthetic_runs(const SyntheticStudy& study, int ni
             std::snprintf(date, sizeof date, "2026-%02d-%02dT03:00:00Z", 1 + night / 28, 1 + night % 28);
             run.recorded_at = date;
             if (tamper) tamper(night, run, engine);
+            run.cpu_time_s = run.wall_time_s;  // nothing else runs on this machine
             runs.push_back(run);
           }
         }

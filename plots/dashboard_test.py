@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+"""Tests the dashboard as its readers use it: plots/dashboard_test.py MWT
+
+Tracks 40 synthetic nights, makes their dashboard and looks at it in a headless Chromium. Exit code 77 (skipped) without
+Chromium.
+"""
+import math
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+import chromium  # noqa: E402  (beside this file)
+
+SKIPPED = 77
+NIGHTS, CHANGED = 40, 25
+COLUMNS = ("study,env_id,recorded_at,git_commit,algorithm,params,generator,n,seed,repetition,threads,status,wall_time_s,"
+           "yardstick_time_s,peak_rss_bytes,weight_lower,weight_upper,optimality,alpha_lower,alpha_upper")
+ALGORITHMS = ("delaunay", "flip", "greedy", "patch")
+
+
+def rows_of(night, noise):
+    """From the night CHANGED on greedy takes 10% longer, patch a fifth more memory, and flip is a thousandth heavier."""
+    late = night >= CHANGED
+    for algorithm in ALGORITHMS:
+        for family in ("uniform", "clustered"):
+            for n in (100, 1000):
+                time = 1e-5 * n * math.exp(noise.gauss(0, 0.03)) * (1.1 if late and algorithm == "greedy" else 1) * (1.6 if night == 13 else 1)
+                memory = 10_000_000 + 4096 * noise.randrange(20) + (2_000_000 if late and algorithm == "patch" else 0)
+                alpha = 1.05 * (1.001 if late and algorithm == "flip" else 1)
+                yield (f"synthetic,e,2026-{1 + night // 28:02}-{1 + night % 28:02}T03:00:00Z,{night:02x}{'0' * 38},{algorithm},,{family},{n},1,0,1,ok,"
+                       f"{time},2e-6,{memory},{100 * alpha},{100 * alpha},proved,{alpha},{alpha}")
+
+
+def run(*command):
+    outcome = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+    if outcome.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))}\n{outcome.stdout[-2000:]}{outcome.stderr[-2000:]}")
+
+
+class DashboardTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="mwt_dashboard_")
+        home = pathlib.Path(cls.folder.name)
+        noise = random.Random(1)
+        nights = []
+        for night in range(NIGHTS):
+            nights.append(home / f"night{night}")
+            nights[-1].mkdir()
+            (nights[-1] / "runs.csv").write_text("\n".join([COLUMNS, *rows_of(night, noise)]) + "\n")
+        run(MWT, "track", *nights, "--history", home / "history.sqlite")
+        run(MWT, "history", "series", "--json", "--history", home / "history.sqlite", "-o", home / "series.json")
+        cls.page = home / "dashboard.html"
+        run(HERE / "make_dashboard.py", home / "series.json", "-o", cls.page)
+        cls.browser = cls.enterClassContext(chromium.Browser())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.browser.show_as(1280, 900, dark=False)
+        self.browser.open(self.page)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.problems, [], "the console is silent")
+        self.assertEqual(self.browser.requests, [], "nothing is fetched")
+
+    def value(self, expression):
+        return self.browser.value(expression)
+
+    def texts(self, selector):
+        return self.value(f"[...document.querySelectorAll({selector!r})].map((element) => element.textContent)")
+
+    def choose(self, title, value):
+        self.value(f"(() => {{ const label = [...document.querySelectorAll('#series-choices label')].find((l) => l.textContent.startsWith({title!r}));"
+                   f" const select = label.querySelector('select'); select.value = {value!r}; select.dispatchEvent(new Event('change')); }})()")
+
+    def test_words_come_first(self):
+        self.assertIn("3 regressions, 0 improvements in 40 nights", self.value("document.querySelector('.answer').innerText"))
+        told = self.texts(".changes .told")
+        self.assertEqual([text.split(":")[0] for text in told], ["2026-01-26 flip", "2026-01-26 greedy", "2026-01-26 patch"])
+        self.assertRegex(told[1], r"time x1\.(0[89]|1[01])")
+        self.assertEqual(self.texts(".changes .badge"), ["regression"] * 3)
+
+    def test_series_with_steps_come_first_and_are_marked(self):
+        steps = self.value("[...document.querySelectorAll('.sparkline')].map((figure) => figure.querySelectorAll('.step').length)")
+        self.assertEqual(steps[:16], [1] * 16, "alpha and weight of flip on four instances, time of greedy, memory of patch")
+        self.assertEqual(sum(steps[16:]), 0)
+
+    def test_filters(self):
+        self.choose("algorithm", "greedy")
+        self.choose("measure", "relative_time")
+        self.assertEqual(self.texts(".sparkline figcaption")[0].split(" · ")[::2], ["greedy", "relative_time"])
+        self.assertIn("4 of 4 series", self.value("document.querySelector('#series-choices [role=status]').textContent"))
+        self.choose("family", "uniform")
+        self.assertEqual(len(self.texts(".sparkline")), 2)
+
+    def test_only_series_with_steps(self):
+        self.value("document.querySelector('#series-choices button').click()")
+        self.assertEqual(len(self.texts(".sparkline")), 16)
+
+    def test_a_change_leads_to_its_series(self):
+        self.value("document.querySelectorAll('.changes a')[1].click()")
+        self.assertEqual({text.split(" · ")[0] for text in self.texts(".sparkline figcaption")}, {"greedy"})
+        self.assertEqual(len(self.texts(".sparkline")), 4)
+
+    def test_more_series_on_demand(self):
+        shown = len(self.texts(".sparkline"))
+        self.value("[...document.querySelectorAll('button')].find((button) => button.textContent === 'show more series').click()")
+        self.assertGreater(len(self.texts(".sparkline")), shown)
+
+    def test_keyboard_tells_commit_and_value(self):
+        self.value("document.querySelector('.sparkline svg').focus()")
+        self.browser.press("Home", 36)
+        self.assertIn("2026-01-01, commit 0000000000: ", self.texts(".sparkline output")[0])
+        self.browser.press("ArrowRight", 39)
+        self.assertIn("2026-01-02", self.texts(".sparkline output")[0])
+
+    def test_pointing_tells_commit_and_value(self):
+        self.value("(() => { const svg = document.querySelector('.sparkline svg'); const box = svg.getBoundingClientRect();"
+                   " svg.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + 1, clientY: box.top + 5 })); })()")
+        self.assertIn("2026-01-01", self.texts(".sparkline output")[0])
+
+    def test_lines_stay_inside(self):
+        self.assertTrue(self.value("[...document.querySelectorAll('.sparkline polyline')].every((line) => { const box = line.getBBox();"
+                                   " return box.x >= 0 && box.y >= 0 && box.x + box.width <= 300 && box.y + box.height <= 60; })"))
+
+    def test_dark_mode(self):
+        self.browser.show_as(1280, 900, dark=True)
+        self.assertEqual(self.value("getComputedStyle(document.body).backgroundColor"), "rgb(22, 24, 28)")
+
+    def test_phone(self):
+        self.browser.show_as(390, 844, dark=False)
+        self.browser.open(self.page)
+        self.assertLessEqual(self.value("document.documentElement.scrollWidth"), 390, "nothing sticks out sideways")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("usage: dashboard_test.py MWT")
+    MWT = pathlib.Path(sys.argv.pop()).resolve()
+    if chromium.find() is None:
+        print("SKIPPED: NO CHROMIUM ON THIS MACHINE, THE DASHBOARD WAS NOT TESTED. Install it: setup/packages_for_checks.txt")
+        sys.exit(SKIPPED)
+    unittest.main(verbosity=2)

@@ -1,0 +1,151 @@
+"use strict";
+// The sparklines of a dashboard (make_dashboard.py). <script type="application/json" id="series-data"> holds:
+//   nights [{date, commit}], series [{algorithm, instance, n, measure, aspect, unit, nights, values, steps}], where steps are
+//   [{night, before, after, worse}]; series with steps come first.
+(() => {
+  const FIRST = 48, WIDTH = 300, HEIGHT = 60, EDGE = 5;
+  const data = JSON.parse(document.getElementById("series-data").textContent);
+  const place = document.getElementById("sparklines");
+  const chosen = { algorithm: "", family: "", measure: "", steps: false };
+  let limit = FIRST;
+
+  function add(parent, name, properties = {}) {
+    const element = Object.assign(document.createElement(name), properties);
+    parent.append(element);
+    return element;
+  }
+
+  function draw(parent, name, attributes) {
+    const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+    parent.append(element);
+    return element;
+  }
+
+  function readable(value, unit) {
+    if (unit === "bytes") return (value / 1048576).toFixed(1) + " MiB";
+    if (unit !== "s") return Number(value.toPrecision(7)).toString();
+    for (const [size, name] of [[1, "s"], [1e-3, "ms"], [1e-6, "µs"]]) if (value >= size) return (value / size).toPrecision(3) + " " + name;
+    return (value * 1e9).toPrecision(3) + " ns";
+  }
+
+  class Sparkline {
+    constructor(series) {
+      this.series = series;
+      const figure = add(place, "figure", { className: "sparkline" });
+      this.name = `${series.algorithm} · ${series.instance} n=${series.n} · ${series.measure}`;
+      add(figure, "figcaption", { textContent: this.name });
+      this.svg = draw(figure, "svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", tabindex: 0, role: "img" });
+      this.output = add(figure, "output");
+      this.scale();
+      this.drawLines();
+      this.tell(series.values.length - 1);
+      this.svg.addEventListener("pointermove", (event) => this.follow(event));
+      this.svg.addEventListener("pointerleave", () => this.tell(series.values.length - 1));
+      this.svg.addEventListener("keydown", (event) => this.walk(event));
+    }
+
+    scale() {
+      const { nights, values, aspect } = this.series;
+      const sorted = [...values].sort((a, b) => a - b), last = sorted.length - 1;
+      const low = sorted[Math.floor(0.05 * last)], high = sorted[Math.ceil(0.95 * last)];
+      // Spikes are cut off, and noise of less than a percent is not blown up; what is exact has no noise.
+      const least = aspect === "time" || aspect === "memory" ? 0.02 * high : 0;
+      const span = Math.max(1.5 * (high - low), least) || 1;
+      const middle = (low + high) / 2, first = nights[0], length = Math.max(1, nights[nights.length - 1] - first);
+      this.x = (night) => EDGE + (WIDTH - 2 * EDGE) * (night - first) / length;
+      const inside = (y) => Math.min(HEIGHT - EDGE, Math.max(EDGE, y));
+      this.y = (value) => inside(HEIGHT / 2 - (HEIGHT - 2 * EDGE) * (value - middle) / span);
+    }
+
+    drawLines() {
+      const { nights, values, steps } = this.series;
+      const points = values.map((value, i) => `${this.x(nights[i]).toFixed(1)},${this.y(value).toFixed(1)}`);
+      draw(this.svg, "polyline", { class: "values", points: points.join(" ") });
+      steps.forEach((step, i) => {
+        const begin = i === 0 ? nights[0] : steps[i - 1].night;
+        const end = i + 1 < steps.length ? steps[i + 1].night : nights[nights.length - 1];
+        this.drawLevel(begin, step.night, step.before);
+        this.drawLevel(step.night, end, step.after);
+        draw(this.svg, "line", { class: step.worse ? "step worse" : "step better", x1: this.x(step.night), x2: this.x(step.night), y1: 0, y2: HEIGHT });
+      });
+      this.here = draw(this.svg, "path", { class: "here" });
+    }
+
+    drawLevel(begin, end, value) {
+      draw(this.svg, "line", { class: "level", x1: this.x(begin), x2: this.x(end), y1: this.y(value), y2: this.y(value) });
+    }
+
+    tell(position) {
+      const { nights, values, unit, steps } = this.series;
+      this.position = position;
+      const night = data.nights[nights[position]];
+      const before = position > 0 ? values[position - 1] : 0;
+      const change = before > 0 ? ` (${values[position] >= before ? "+" : "−"}${Math.abs(100 * (values[position] / before - 1)).toFixed(1)}%)` : "";
+      const step = steps.find((one) => one.night === nights[position]);
+      const text = `${night.date}, commit ${night.commit.slice(0, 10)}: ${readable(values[position], unit)}${change}` +
+        (step ? `; step ×${(step.after / step.before).toFixed(3)}` : "");
+      this.output.textContent = text;
+      this.svg.setAttribute("aria-label", `${this.name}. ${text}`);
+      this.here.setAttribute("d", `M${this.x(nights[position])} ${this.y(values[position])}h0.01`);
+    }
+
+    follow(event) {
+      const box = this.svg.getBoundingClientRect();
+      const x = WIDTH * (event.clientX - box.left) / box.width;
+      let nearest = 0;
+      this.series.nights.forEach((night, i) => {
+        if (Math.abs(this.x(night) - x) < Math.abs(this.x(this.series.nights[nearest]) - x)) nearest = i;
+      });
+      this.tell(nearest);
+    }
+
+    walk(event) {
+      const move = { ArrowLeft: -1, ArrowRight: 1, Home: -Infinity, End: Infinity }[event.key];
+      if (move === undefined) return;
+      event.preventDefault();
+      this.tell(Math.min(this.series.values.length - 1, Math.max(0, this.position + move)));
+    }
+  }
+
+  function matching() {
+    return data.series.filter((series) =>
+      (!chosen.algorithm || series.algorithm === chosen.algorithm) && (!chosen.family || series.instance === chosen.family) &&
+      (!chosen.measure || series.measure === chosen.measure) && (!chosen.steps || series.steps.length > 0));
+  }
+
+  function show() {
+    const found = matching();
+    place.replaceChildren();
+    for (const series of found.slice(0, limit)) new Sparkline(series);
+    count.textContent = `${Math.min(limit, found.length)} of ${found.length} series`;
+    more.hidden = found.length <= limit;
+  }
+
+  function choose(changes) {
+    Object.assign(chosen, changes);
+    for (const [key, select] of Object.entries(selects)) select.value = chosen[key];
+    onlySteps.setAttribute("aria-pressed", String(chosen.steps));
+    limit = FIRST;
+    show();
+  }
+
+  const controls = document.getElementById("series-choices");
+  const selects = {};
+  for (const [key, field] of [["algorithm", "algorithm"], ["family", "instance"], ["measure", "measure"]]) {
+    const select = selects[key] = add(add(controls, "label", { textContent: key + " " }), "select");
+    add(select, "option", { value: "", textContent: "all" });
+    for (const value of [...new Set(data.series.map((series) => series[field]))].sort()) add(select, "option", { value, textContent: value });
+    select.addEventListener("change", () => choose({ [key]: select.value }));
+  }
+  const onlySteps = add(controls, "button", { type: "button", textContent: "only with steps" });
+  onlySteps.addEventListener("click", () => choose({ steps: !chosen.steps }));
+  const count = add(controls, "span", { className: "soft" });
+  count.setAttribute("role", "status");
+  const more = add(place.parentElement, "button", { type: "button", textContent: "show more series" });
+  more.addEventListener("click", () => { limit *= 4; show(); });
+  document.querySelectorAll("a[data-algorithm]").forEach((link) => {
+    link.addEventListener("click", () => choose({ algorithm: link.dataset.algorithm, family: "", measure: link.dataset.measure, steps: true }));
+  });
+  choose({});
+})();
