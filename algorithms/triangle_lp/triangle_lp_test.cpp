@@ -60,11 +60,13 @@ TEST(TriangleLp, ObeysTheDeadline) {
 
 TEST(TriangleLpSlow, BoundsAHundredPointsOfEveryFamily) {
   for (const GeneratorInfo& family : generators()) {
-    if (family.fixed_n != 0 || family.name == "with_duplicates") continue;
-    const auto deadline = Context::Clock::now() + std::chrono::seconds(20);
+    const bool has_a_hundred = family.fixed_n == 0 && (family.largest_n == 0 || family.largest_n >= 100);
+    if (!has_a_hundred || family.name == "with_duplicates") continue;
+    const auto deadline = Context::Clock::now() + std::chrono::seconds(5);
     const Solution solution = solve_and_check("triangle_lp", generate(family.name, 100, 1), {}, deadline);
     ASSERT_TRUE(solution.optimum) << family.name;
-    EXPECT_LE(solution.optimum->relative_width(), solution.stopped_early ? 0.2 : 1e-12) << family.name;
+    EXPECT_GT(solution.optimum->lower, 0) << family.name;
+    EXPECT_LE(solution.optimum->relative_width(), solution.stopped_early ? 0.99 : 1e-12) << family.name;
   }
 }
 
