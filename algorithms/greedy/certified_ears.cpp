@@ -40,7 +40,7 @@ class EarSearch {
 
   bool is_certain() {
     const bool in_range = squared_length_ > 1e-200 && squared_length_ < 1e200;
-    return in_range && open_at_apex() && search();
+    return in_range && is_certain_among_spokes() && open_at_apex() && search();
   }
 
  private:
@@ -57,15 +57,22 @@ class EarSearch {
   };
   static constexpr std::size_t kMostWindows = 32;
 
-  // Looks through the triangles at c. Points there lie inside the wedge.
+  // Whether the points at the spokes lie beyond the ear and come after it: most wedges that are no certain ear fail
+  // here.
+  [[nodiscard]] bool is_certain_among_spokes() const {
+    for (Halfedge spoke = mesh_.rotate_left(wedge_.first); spoke != wedge_.last; spoke = mesh_.rotate_left(spoke)) {
+      const Index v = mesh_.target(spoke);
+      if (!comes_after_ear(v) || !is_beyond_ear(v)) return false;
+    }
+    return true;
+  }
+
+  // Looks through the triangles at c.
   bool open_at_apex() {
     Corner from{a_, -1};
-    Halfedge spoke = wedge_.first;
-    while (spoke != wedge_.last) {
+    for (Halfedge spoke = wedge_.first; spoke != wedge_.last;) {
       const Halfedge left = mesh_.rotate_left(spoke);
-      const bool is_last = left == wedge_.last;
-      const Corner to{mesh_.target(left), is_last ? 1 : 0};
-      if (!is_last && (!is_beyond_ear(to.point) || !comes_after_ear(to.point))) return false;
+      const Corner to{mesh_.target(left), left == wedge_.last ? 1 : 0};
       if (!open({mesh_.next(spoke), from, to})) return false;
       from = to;
       spoke = left;

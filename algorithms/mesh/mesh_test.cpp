@@ -158,6 +158,24 @@ TEST(EdgeOrder, IsTheExactOrderOnAllShapes) {
   }
 }
 
+TEST(EdgeOrder, SortsManyEdgesOfOneLengthByLabels) {
+  std::vector<Point> points;
+  std::vector<Index> labels;
+  for (Index i = 0; i < 400; ++i) {
+    points.push_back({static_cast<double>(i % 20), static_cast<double>(i / 20)});
+    labels.push_back((i * 237) % 400);  // a permutation: 237 and 400 have no common divisor
+  }
+  const EdgeOrder order(points, labels);
+  std::vector<EdgeKey> keys;
+  for (Index i = 0; i + 20 < 400; ++i) keys.push_back(order.key(i + 20, i, i));
+  order.sort(keys);
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    const EdgeKey &before = keys[i - 1], &here = keys[i];
+    EXPECT_LT(make_edge(labels[before.a], labels[before.b]), make_edge(labels[here.a], labels[here.b])) << i;
+    EXPECT_EQ(here.tag, here.b) << i;
+  }
+}
+
 }  // namespace
 
 }  // namespace mwt
