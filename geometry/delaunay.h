@@ -16,7 +16,8 @@ namespace mwt {
 [[nodiscard]] Triangulation constrained_delaunay_triangulation(Points points, std::span<const Edge> constraints);
 
 /// The yardstick: processor seconds that CGAL::Delaunay_triangulation_2<Epick>(first, last) takes on `points`, one
-/// thread, no vertex info, destruction excluded. One measurement; callers take the median of seven interleaved ones.
+/// thread, no vertex info, destruction excluded. One measurement, on few points the mean over a millisecond's worth;
+/// callers take the median of seven interleaved ones.
 [[nodiscard]] double measure_yardstick_s(Points points);
 
 }  // namespace mwt

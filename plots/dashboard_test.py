@@ -7,16 +7,14 @@ Chromium.
 import math
 import pathlib
 import random
-import subprocess
 import sys
 import tempfile
-import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import chromium  # noqa: E402  (beside this file)
+from page_testing import PageTestCase, main, program, run  # noqa: E402
 
-SKIPPED = 77
 NIGHTS, CHANGED = 40, 25
 COLUMNS = ("study,env_id,recorded_at,git_commit,algorithm,params,generator,n,seed,repetition,threads,status,wall_time_s,"
            "yardstick_time_s,peak_rss_bytes,weight_lower,weight_upper,optimality,alpha_lower,alpha_upper")
@@ -36,13 +34,7 @@ def rows_of(night, noise):
                        f"{time},2e-6,{memory},{100 * alpha},{100 * alpha},proved,{alpha},{alpha}")
 
 
-def run(*command):
-    outcome = subprocess.run([str(part) for part in command], capture_output=True, text=True)
-    if outcome.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{outcome.stdout[-2000:]}{outcome.stderr[-2000:]}")
-
-
-class DashboardTest(unittest.TestCase):
+class DashboardTest(PageTestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(prefix="mwt_dashboard_")
@@ -53,29 +45,11 @@ class DashboardTest(unittest.TestCase):
             nights.append(home / f"night{night}")
             nights[-1].mkdir()
             (nights[-1] / "runs.csv").write_text("\n".join([COLUMNS, *rows_of(night, noise)]) + "\n")
-        run(MWT, "track", *nights, "--history", home / "history.sqlite")
-        run(MWT, "history", "series", "--json", "--history", home / "history.sqlite", "-o", home / "series.json")
+        run(program(), "track", *nights, "--history", home / "history.sqlite")
+        run(program(), "history", "series", "--json", "--history", home / "history.sqlite", "-o", home / "series.json")
         cls.page = home / "dashboard.html"
         run(HERE / "make_dashboard.py", home / "series.json", "-o", cls.page)
         cls.browser = cls.enterClassContext(chromium.Browser())
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.browser.show_as(1280, 900, dark=False)
-        self.browser.open(self.page)
-
-    def tearDown(self):
-        self.assertEqual(self.browser.problems, [], "the console is silent")
-        self.assertEqual(self.browser.requests, [], "nothing is fetched")
-
-    def value(self, expression):
-        return self.browser.value(expression)
-
-    def texts(self, selector):
-        return self.value(f"[...document.querySelectorAll({selector!r})].map((element) => element.textContent)")
 
     def choose(self, title, value):
         self.value(f"(() => {{ const label = [...document.querySelectorAll('#series-choices label')].find((l) => l.textContent.startsWith({title!r}));"
@@ -142,10 +116,4 @@ class DashboardTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: dashboard_test.py MWT")
-    MWT = pathlib.Path(sys.argv.pop()).resolve()
-    if chromium.find() is None:
-        print("SKIPPED: NO CHROMIUM ON THIS MACHINE, THE DASHBOARD WAS NOT TESTED. Install it: setup/packages_for_checks.txt")
-        sys.exit(SKIPPED)
-    unittest.main(verbosity=2)
+    main("THE DASHBOARD")

@@ -7,31 +7,24 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import chromium  # noqa: E402  (beside this file)
+from page_testing import PageTestCase, main, program, run  # noqa: E402
 
-SKIPPED = 77
 LARGEST_PAGE_BYTES = 5_000_000
 CLAIMS = 15
 
 
-def run(*command):
-    outcome = subprocess.run([str(part) for part in command], capture_output=True, text=True)
-    if outcome.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\n{outcome.stdout[-2000:]}{outcome.stderr[-2000:]}")
-
-
-class PageTest(unittest.TestCase):
+class PageTest(PageTestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory(prefix="mwt_page_")
         results = pathlib.Path(cls.folder.name) / "results"
-        run(MWT, "run", HERE / "testdata" / "page_test.toml", "--out", results, "--no-cache")
-        run(MWT, "report", results)
-        run(HERE / "gallery.sh", MWT, results)
+        run(program(), "run", HERE / "testdata" / "page_test.toml", "--out", results, "--no-cache")
+        run(program(), "report", results)
+        run(HERE / "gallery.sh", program(), results)
         run(HERE / "make_page.py", results)
         cls.results = results
         # Elsewhere than its results: the page needs nothing beside it.
@@ -39,24 +32,6 @@ class PageTest(unittest.TestCase):
         cls.page.parent.mkdir()
         cls.page.write_bytes((results / "report.html").read_bytes())
         cls.browser = cls.enterClassContext(chromium.Browser())
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
-    def setUp(self):
-        self.browser.show_as(1280, 900, dark=False)
-        self.browser.open(self.page)
-
-    def tearDown(self):
-        self.assertEqual(self.browser.problems, [], "the console is silent")
-        self.assertEqual(self.browser.requests, [], "nothing is fetched")
-
-    def value(self, expression):
-        return self.browser.value(expression)
-
-    def texts(self, selector):
-        return self.value(f"[...document.querySelectorAll({selector!r})].map((element) => element.textContent)")
 
     def test_is_small(self):
         self.assertLess(self.page.stat().st_size, LARGEST_PAGE_BYTES)
@@ -162,7 +137,7 @@ class PageTest(unittest.TestCase):
         self.choose("family", "uniform")
         self.value("document.querySelector('#runs tbody button').click()")
         command = self.value("document.querySelector('#runs tr.command').textContent").replace(
-            "build/release/mwt", str(MWT)
+            "build/release/mwt", str(program())
         )
         solved = subprocess.run(["/bin/sh", "-ec", command], cwd=self.folder.name, capture_output=True, text=True)
         self.assertEqual(solved.returncode, 0, solved.stderr)
@@ -195,13 +170,4 @@ class PageTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: page_test.py MWT")
-    MWT = pathlib.Path(sys.argv.pop()).resolve()
-    if chromium.find() is None:
-        print(
-            "SKIPPED: NO CHROMIUM ON THIS MACHINE, THE REPORT'S PAGE WAS NOT TESTED. Install it:"
-            " setup/packages_for_checks.txt"
-        )
-        sys.exit(SKIPPED)
-    unittest.main(verbosity=2)
+    main("THE REPORT'S PAGE")

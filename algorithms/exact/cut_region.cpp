@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "algorithms/exact/by_direction.h"
+#include "algorithms/exact/disjoint_sets.h"
 #include "algorithms/exact/face_walk.h"
 #include "geometry/predicates.h"
 
@@ -13,36 +14,19 @@ namespace {
 
 bool lies_below_or_left(const Point& p, const Point& q) { return p.y < q.y || (p.y == q.y && p.x < q.x); }
 
-// The smallest vertex of each vertex's component.
-std::vector<Index> components_of(std::size_t vertices, const std::vector<Edge>& edges) {
-  std::vector<Index> parent(vertices);
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto find = [&](Index v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const Edge& edge : edges) {
-    const Index a = find(edge.a), b = find(edge.b);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  for (Index v = 0; v < vertices; ++v) parent[v] = find(v);
-  return parent;
-}
-
 }  // namespace
 
 CutRegion::CutRegion(Points points, const FaceRegion& region) : region_(region) {
   for (const Index vertex : region.vertices) points_.push_back(points[vertex]);
-  for (const Edge& edge : region.boundary) boundary_.push_back(make_edge(local(edge.a), local(edge.b)));
+  for (const Edge& edge : region.boundary)
+    boundary_.push_back(make_edge(region_.place_of(edge.a), region_.place_of(edge.b)));
   std::sort(boundary_.begin(), boundary_.end());
   boundary_.erase(std::unique(boundary_.begin(), boundary_.end()), boundary_.end());
-  for (const Edge& edge : region.candidates) candidates_.push_back({local(edge.a), local(edge.b)});
-  component_ = components_of(points_.size(), boundary_);
-}
-
-Index CutRegion::local(Index vertex) const {
-  const auto place = std::lower_bound(region_.vertices.begin(), region_.vertices.end(), vertex);
-  return static_cast<Index>(place - region_.vertices.begin());
+  for (const Edge& edge : region.candidates)
+    candidates_.push_back({region_.place_of(edge.a), region_.place_of(edge.b)});
+  DisjointSets components(points_.size());
+  for (const Edge& edge : boundary_) components.unite(edge.a, edge.b);
+  for (Index v = 0; v < points_.size(); ++v) component_.push_back(static_cast<Index>(components.find(v)));
 }
 
 std::vector<Edge> CutRegion::unavoidable_cuts() const {
@@ -74,12 +58,12 @@ std::vector<Edge> CutRegion::unavoidable_cuts() const {
 // Certain: boundary and cuts. Without the candidates that cross a cut.
 CandidateGraph CutRegion::graph_with(std::span<const Edge> cuts) const {
   std::vector<Edge> certain = boundary_;
-  for (const Edge& cut : cuts) certain.push_back({local(cut.a), local(cut.b)});
+  for (const Edge& cut : cuts) certain.push_back({region_.place_of(cut.a), region_.place_of(cut.b)});
   std::sort(certain.begin(), certain.end());
   std::vector<Edge> edges = certain;
   for (const Edge& edge : candidates_) {
     const bool is_free = std::none_of(cuts.begin(), cuts.end(), [&](const Edge& cut) {
-      const Edge c{local(cut.a), local(cut.b)};
+      const Edge c{region_.place_of(cut.a), region_.place_of(cut.b)};
       return c == edge || segments_cross(points_[edge.a], points_[edge.b], points_[c.a], points_[c.b]);
     });
     if (is_free) edges.push_back(edge);
@@ -112,7 +96,7 @@ CandidateGraph CutRegion::graph_with(std::span<const Edge> cuts) const {
 PolygonFaceOutcome CutRegion::solve(std::span<const Edge> cuts, const Deadline& deadline, FaceTriangles& result) {
   const CandidateGraph graph = graph_with(cuts);
   const FaceWalker walker(graph);
-  const Index from = local(cuts.front().a), to = local(cuts.front().b);
+  const Index from = region_.place_of(cuts.front().a), to = region_.place_of(cuts.front().b);
   const std::vector<Corner> corners = walker.corners_of_face(from, walker.corner_towards(from, to).halfedge);
   PolygonFaceSolver solver(graph, graph.points);
   FaceTriangles found;
@@ -121,7 +105,7 @@ PolygonFaceOutcome CutRegion::solve(std::span<const Edge> cuts, const Deadline& 
   for (const auto& [a, b, c] : found.triangles) {
     result.triangles.push_back({region_.vertices[a], region_.vertices[b], region_.vertices[c]});
   }
-  for (const Edge& cut : cuts) found.diagonals.add(points_[local(cut.a)], points_[local(cut.b)]);
+  for (const Edge& cut : cuts) found.diagonals.add(points_[region_.place_of(cut.a)], points_[region_.place_of(cut.b)]);
   result.diagonals.add(found.diagonals);
   return outcome;
 }

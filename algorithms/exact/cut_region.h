@@ -32,7 +32,6 @@ class CutRegion {
   [[nodiscard]] PolygonFaceOutcome solve(std::span<const Edge> cuts, const Deadline& deadline, FaceTriangles& result);
 
  private:
-  [[nodiscard]] Index local(Index vertex) const;
   [[nodiscard]] CandidateGraph graph_with(std::span<const Edge> cuts) const;
 
   const FaceRegion& region_;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <unordered_map>
 
+#include "algorithms/exact/disjoint_sets.h"
 #include "algorithms/exact/length_sum_comparison.h"
 #include "geometry/delaunay.h"
 #include "geometry/weight.h"
@@ -20,29 +20,9 @@ void sort_and_remove_duplicates(auto& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-// Disjoint sets of walks and isolated vertices: the walks first.
-class Components {
- public:
-  explicit Components(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  // The smallest member represents its set.
-  void unite(std::size_t i, std::size_t j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-Components unite_by_candidates(const CandidateGraph& graph, const FaceWalker& walker, const std::vector<Walk>& walks,
-                               const std::vector<Index>& isolated) {
+// Of walks and isolated vertices: the walks first.
+DisjointSets unite_by_candidates(const CandidateGraph& graph, const FaceWalker& walker, const std::vector<Walk>& walks,
+                                 const std::vector<Index>& isolated) {
   std::unordered_map<std::uint32_t, std::size_t> walk_of_corner;
   for (std::size_t w = 0; w < walks.size(); ++w) {
     for (const Corner& corner : walks[w]) walk_of_corner.emplace(corner.halfedge, w);
@@ -55,7 +35,7 @@ Components unite_by_candidates(const CandidateGraph& graph, const FaceWalker& wa
     if (walk == walk_of_corner.end()) throw std::logic_error("candidate graph: a candidate leaves its face");
     return walk->second;
   };
-  Components components(walks.size() + isolated.size());
+  DisjointSets components(walks.size() + isolated.size());
   for (std::size_t w = 0; w < walks.size(); ++w) {
     for (const Corner& corner : walks[w]) {
       for (std::uint32_t i = 0; i < corner.candidates; ++i) {
@@ -111,6 +91,10 @@ std::vector<std::uint8_t> find_inner_triangles(const Triangulation& triangulatio
 
 }  // namespace
 
+Index FaceRegion::place_of(Index vertex) const {
+  return static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
+}
+
 FaceRegion make_region(const CandidateGraph& graph, const std::vector<const Walk*>& walks,
                        const std::vector<Index>& isolated) {
   FaceRegion region;
@@ -135,7 +119,7 @@ FaceRegion make_region(const CandidateGraph& graph, const std::vector<const Walk
 
 std::vector<FaceRegion> group_into_regions(const CandidateGraph& graph, const FaceWalker& walker,
                                            const std::vector<Walk>& walks, const std::vector<Index>& isolated) {
-  Components components = unite_by_candidates(graph, walker, walks, isolated);
+  DisjointSets components = unite_by_candidates(graph, walker, walks, isolated);
   struct Members {
     std::vector<const Walk*> walks;
     std::vector<Index> isolated;
@@ -157,14 +141,10 @@ std::vector<FaceRegion> group_into_regions(const CandidateGraph& graph, const Fa
 std::vector<Triangle> fill_region(Points points, const FaceRegion& region) {
   std::vector<Point> local_points;
   for (const Index vertex : region.vertices) local_points.push_back(points[vertex]);
-  const auto local = [&](Index vertex) {
-    return static_cast<Index>(std::lower_bound(region.vertices.begin(), region.vertices.end(), vertex) -
-                              region.vertices.begin());
-  };
   std::vector<Edge> boundary;
   std::vector<Edge> constraints;
   for (const Edge& edge : sorted_boundary(region)) {  // vertices ascend, so that local edges are in order as well
-    boundary.push_back({local(edge.a), local(edge.b)});
+    boundary.push_back({region.place_of(edge.a), region.place_of(edge.b)});
     constraints.push_back(make_edge(boundary.back().a, boundary.back().b));
   }
   sort_and_remove_duplicates(constraints);

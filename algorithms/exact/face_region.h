@@ -17,6 +17,9 @@ struct FaceRegion {
   std::vector<Edge> candidates;  ///< inside the face, a < b, ascending
   std::size_t components = 0;    ///< of the boundary, every isolated vertex being one
 
+  /// The position of one of the vertices in `vertices`.
+  [[nodiscard]] Index place_of(Index vertex) const;
+
   /// By Euler's formula, of every triangulation of the face.
   [[nodiscard]] std::size_t triangle_count() const { return boundary.size() + 2 * components - 4; }
   [[nodiscard]] std::size_t diagonal_count() const { return (3 * triangle_count() - boundary.size()) / 2; }

@@ -28,12 +28,6 @@ struct PolygonFaceCounters {
   std::uint64_t cells = 0;                ///< intervals whose optimum was computed
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums that doubles could not decide
   std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart
-
-  void add(const PolygonFaceCounters& other) {
-    cells += other.cells;
-    precise_comparisons += other.precise_comparisons;
-    undecided_ties += other.undecided_ties;
-  }
 };
 
 enum class PolygonFaceOutcome {

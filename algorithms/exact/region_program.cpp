@@ -33,18 +33,15 @@ LocalRegion localise(Points points, const FaceRegion& region) {
   std::sort(local.vertices.begin(), local.vertices.end(),
             [&](Index v, Index w) { return lexicographically_less(points[v], points[w]); });
   std::vector<Index> position(region.vertices.size());  // of the region's i-th vertex
-  const auto rank = [&](Index v) {
-    return static_cast<std::size_t>(std::lower_bound(region.vertices.begin(), region.vertices.end(), v) -
-                                    region.vertices.begin());
-  };
   for (Index i = 0; i < local.vertices.size(); ++i) {
-    position[rank(local.vertices[i])] = i;
+    position[region.place_of(local.vertices[i])] = i;
     local.points.push_back(points[local.vertices[i]]);
   }
-  for (const Edge& edge : region.boundary) local.boundary.push_back({position[rank(edge.a)], position[rank(edge.b)]});
+  for (const Edge& edge : region.boundary)
+    local.boundary.push_back({position[region.place_of(edge.a)], position[region.place_of(edge.b)]});
   local.sides = local.boundary;
   for (const Edge& edge : region.candidates) {
-    const Index a = position[rank(edge.a)], b = position[rank(edge.b)];
+    const Index a = position[region.place_of(edge.a)], b = position[region.place_of(edge.b)];
     local.sides.insert(local.sides.end(), {{a, b}, {b, a}});
   }
   return local;
