@@ -18,7 +18,7 @@
 #include "algorithms/exact/face_region.h"
 #include "algorithms/exact/face_walk.h"
 #include "algorithms/exact/polygon_face.h"
-#include "algorithms/exact/region_program.h"
+#include "algorithms/exact/region_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "geometry/weight.h"
 

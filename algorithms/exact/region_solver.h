@@ -1,5 +1,5 @@
-// Minimum weight triangulation of a face with holes or isolated vertices: by cutting it open where there is one, by
-// linear programming where there are more.
+// Minimum weight triangulation of a face with holes or isolated vertices: by cutting it open where there is one, else
+// by dividing it along edges that turn out certain, and by linear programming what cannot be divided.
 #pragma once
 
 #include <chrono>
@@ -24,9 +24,13 @@ struct RegionSolution {
 /// Regions of more empty triangles than this are filled, not solved: GLPK would neither hold nor finish them.
 inline constexpr std::size_t kMaximumProgramTriangles = 4'000'000;
 
-/// The best triangulation by candidates (see algorithms/triangle_lp/triangle_cover.h). Where the deadline or
-/// kMaximumProgramTriangles stops it: the best cover found or a constrained Delaunay triangulation, and bounds that
-/// still hold.
+/// The best triangulation by candidates. Where the deadline or kMaximumProgramTriangles stops it: the best
+/// triangulation found, parts of it perhaps constrained Delaunay, and bounds that still hold.
+///
+/// With two boundary components: cut_region.h. Otherwise, or where that does not decide it, the region's empty
+/// triangles are reduced to those that can fit together (consistent_triangles.h). Edges that all triangulations by
+/// these contain (certain_sides.h) divide the region into polygons and smaller regions; one that nothing divides is a
+/// linear program (algorithms/triangle_lp/triangle_cover.h).
 [[nodiscard]] RegionSolution solve_region(Points points, const FaceRegion& region,
                                           const std::optional<std::chrono::steady_clock::time_point>& deadline);
 
