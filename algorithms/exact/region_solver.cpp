@@ -21,8 +21,6 @@ namespace mwt {
 
 namespace {
 
-using Deadline = std::optional<std::chrono::steady_clock::time_point>;
-
 Interval boundary_length(Points points, const FaceRegion& region) {
   std::vector<Edge> edges;
   for (const Edge& edge : region.boundary) edges.push_back(make_edge(edge.a, edge.b));

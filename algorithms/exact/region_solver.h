@@ -2,11 +2,10 @@
 // by dividing it along edges that turn out certain, and by linear programming what cannot be divided.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "algorithms/exact/face_region.h"
 #include "geometry/weight.h"
 
@@ -31,8 +30,7 @@ inline constexpr std::size_t kMaximumProgramTriangles = 4'000'000;
 /// triangles are reduced to those that can fit together (consistent_triangles.h). Edges that all triangulations by
 /// these contain (certain_sides.h) divide the region into polygons and smaller regions; one that nothing divides is a
 /// linear program (algorithms/triangle_lp/triangle_cover.h).
-[[nodiscard]] RegionSolution solve_region(Points points, const FaceRegion& region,
-                                          const std::optional<std::chrono::steady_clock::time_point>& deadline);
+[[nodiscard]] RegionSolution solve_region(Points points, const FaceRegion& region, const Deadline& deadline);
 
 /// The region filled with a constrained Delaunay triangulation and the simple lower bound.
 [[nodiscard]] RegionSolution leave_unsolved(Points points, const FaceRegion& region);
