@@ -1,5 +1,4 @@
 #include "algorithms/exact/exact.h"
-#include "algorithms/exact/convex_position.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -10,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "algorithms/exact/convex_position.h"
 #include "algorithms/exact/stage_testing.h"
 #include "algorithms/solver_testing.h"
 #include "geometry/point_file.h"
