@@ -2,7 +2,7 @@
 include(GoogleTest)
 
 function(mwt_add_tests floor)
-  file(GLOB sources CONFIGURE_DEPENDS ${floor}/*_test.cpp ${floor}/*/*_test.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${floor}/*_test.cpp ${floor}/*/*_test.cpp ${floor}/*/*/*_test.cpp)
   if(NOT sources)
     return()
   endif()

@@ -6,13 +6,13 @@
 #include <new>
 #include <optional>
 
-#include "algorithms/exact/certain_edges.h"
-#include "algorithms/exact/convex_position.h"
-#include "algorithms/exact/diamond_candidates.h"
-#include "algorithms/exact/face_solver.h"
-#include "algorithms/exact/far_edges.h"
-#include "algorithms/exact/kd_order.h"
-#include "algorithms/exact/lmt_skeleton.h"
+#include "algorithms/exact/candidates/certain_edges.h"
+#include "algorithms/exact/candidates/convex_position.h"
+#include "algorithms/exact/candidates/diamond_candidates.h"
+#include "algorithms/exact/candidates/far_edges.h"
+#include "algorithms/exact/candidates/kd_order.h"
+#include "algorithms/exact/candidates/lmt_skeleton.h"
+#include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"

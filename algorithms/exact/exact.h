@@ -5,7 +5,7 @@
 
 namespace mwt {
 
-/// The stages, each a unit of its own in this folder:
+/// The stages, each a unit of its own, the first four in candidates/, the last in faces/:
 ///   1. kd_order: neighbours in the plane become neighbours in memory;
 ///   2. diamond_candidates: all edges that may be in a minimum weight triangulation, about 11.6 n;
 ///      far_edges: the same test again for very long edges, by angles instead of coordinates;
@@ -18,9 +18,9 @@ namespace mwt {
 ///
 /// Preconditions: distinct points, not all collinear. Collinear triples, ties and all magnitudes are normal input.
 /// Postcondition: the triangulation's weight is the optimum's upper end, and the optimum is certified from below. Where
-/// the deadline, memory, a count of candidates beyond max(10^8, 64 n) or more than 6,000 points in convex position stop a
-/// stage, the result is a valid triangulation (greedy, or optimal in all faces but some) with a wider interval, never an
-/// abort. Ties: between optima that no comparison tells apart, the choice is fixed by the order of the points. Time:
+/// the deadline, memory, a count of candidates beyond max(10^8, 64 n) or more than 6,000 points in convex position stop
+/// a stage, the result is a valid triangulation (greedy, or optimal in all faces but some) with a wider interval, never
+/// an abort. Ties: between optima that no comparison tells apart, the choice is fixed by the order of the points. Time:
 /// about n log n on inputs of gradually varying or clustered density; the general problem is NP-hard (Mulzer and Rote
 /// 2008). Deterministic, whatever context.threads.
 ///

@@ -9,7 +9,7 @@
 #include <random>
 #include <sstream>
 
-#include "algorithms/exact/convex_position.h"
+#include "algorithms/exact/candidates/convex_position.h"
 #include "algorithms/exact/stage_testing.h"
 #include "algorithms/solver_testing.h"
 #include "geometry/point_file.h"

@@ -9,8 +9,8 @@
 #include <set>
 #include <vector>
 
-#include "algorithms/exact/candidate_graph.h"
-#include "algorithms/exact/face_region.h"
+#include "algorithms/exact/candidates/candidate_graph.h"
+#include "algorithms/exact/faces/face_region.h"
 #include "geometry/convex_hull.h"
 #include "geometry/double_double.h"
 #include "geometry/predicates.h"

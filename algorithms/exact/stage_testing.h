@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/exact/certain_edges.h"
-#include "algorithms/exact/diamond_candidates.h"
-#include "algorithms/exact/kd_order.h"
-#include "algorithms/exact/lmt_skeleton.h"
+#include "algorithms/exact/candidates/certain_edges.h"
+#include "algorithms/exact/candidates/diamond_candidates.h"
+#include "algorithms/exact/candidates/kd_order.h"
+#include "algorithms/exact/candidates/lmt_skeleton.h"
 #include "generators/registry.h"
 #include "geometry/convex_hull.h"
 #include "geometry/error.h"

@@ -1,0 +1,210 @@
+#include "algorithms/exact/candidates/certain_edges.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+
+#include "algorithms/exact/candidates/by_direction.h"
+#include "algorithms/exact/search_stopped.h"
+#include "geometry/predicates.h"
+#include "geometry/triangulation.h"
+
+namespace mwt {
+
+namespace {
+
+constexpr std::size_t kGrain = 4096;
+
+// In larger stars edges are looked up by bisection, and each takes a look at the clock.
+constexpr std::size_t kLargeStar = 64;
+
+class Marking {
+ public:
+  Marking(Points points, const StarTable& stars, const Context& context)
+      : graph_{points, {}, {}, {}}, stars_(stars.stars), context_(context) {}
+
+  CandidateGraph run() {
+    make_rows();
+    const auto n = static_cast<Index>(graph_.points.size());
+    for_each_vertex(n, [&](Index v) { sort_row(v); });
+    if (!hidden_.empty()) drop_hidden();
+    graph_.certain.assign(graph_.target.size(), 0);
+    for_each_vertex(n, [&](Index v) { mark_edges_from_smaller_end(v); });
+    for_each_vertex(n, [&](Index v) { copy_marks_to_larger_end(v); });
+    return std::move(graph_);
+  }
+
+ private:
+  using Place = std::uint32_t;  // in a star
+  static constexpr Place kNoPlace = std::numeric_limits<Place>::max();
+
+  struct Scratch {
+    std::vector<Place> marked;  // edges that nothing known crosses, ascending
+    std::vector<Place> order;   // in which the star is gone through
+  };
+
+  template <class Body>
+  static void for_each_vertex(Index n, const Body& body) {
+    tbb::parallel_for(tbb::blocked_range<Index>(0, n, kGrain), [&](const tbb::blocked_range<Index>& range) {
+      for (Index v = range.begin(); v < range.end(); ++v) body(v);
+    });
+  }
+
+  std::span<Index> row(Index v) {
+    return std::span(graph_.target).subspan(graph_.first[v], graph_.first[v + std::size_t{1}] - graph_.first[v]);
+  }
+
+  void make_rows() {
+    graph_.first.resize(graph_.points.size() + 1);
+    std::uint32_t total = 0;
+    for (std::size_t v = 0; v < graph_.points.size(); ++v) {
+      graph_.first[v] = total;
+      total += stars_[v].count;
+    }
+    graph_.first.back() = total;
+    graph_.target.resize(total);
+  }
+
+  void sort_row(Index v) {
+    const std::span<Index> targets = row(v);
+    std::copy_n(stars_[v].target(), stars_[v].count, targets.begin());
+    const ByDirection by_direction(graph_.points, v);
+    std::sort(targets.begin(), targets.end(), by_direction);
+    for (std::size_t i = 0; i + 1 < targets.size(); ++i) {
+      // The first of a run of equal directions hides all others.
+      std::size_t j = i + 1;
+      for (; j < targets.size() && by_direction.is_same_direction(targets[i], targets[j]); ++j) {
+        const std::lock_guard lock(hidden_mutex_);
+        hidden_.push_back(make_edge(v, targets[j]));
+      }
+      i = j - 1;
+    }
+  }
+
+  // Rebuilds the rows without the hidden edges.
+  void drop_hidden() {
+    std::sort(hidden_.begin(), hidden_.end());
+    const auto is_hidden = [&](Index v, Index w) {
+      return std::binary_search(hidden_.begin(), hidden_.end(), make_edge(v, w));
+    };
+    std::uint32_t kept = 0;
+    for (std::size_t v = 0; v < graph_.points.size(); ++v) {
+      const std::uint32_t first = graph_.first[v], last = graph_.first[v + 1];
+      graph_.first[v] = kept;
+      for (std::uint32_t i = first; i < last; ++i) {
+        if (!is_hidden(static_cast<Index>(v), graph_.target[i])) graph_.target[kept++] = graph_.target[i];
+      }
+    }
+    graph_.first.back() = kept;
+    graph_.target.resize(kept);
+  }
+
+  bool has_edge(Index v, Index w) const {
+    if (graph_.star(w).size() < graph_.star(v).size()) std::swap(v, w);
+    const auto star = graph_.star(v);
+    if (star.size() <= kLargeStar) return std::find(star.begin(), star.end(), w) != star.end();
+    // The table's stars are sorted by target. They contain hidden edges as well: to believe in those is safe.
+    const Star& sorted = stars_[v];
+    return std::binary_search(sorted.target(), sorted.target() + sorted.count, w);
+  }
+
+  void look_at_the_clock() const {
+    if (context_.deadline_passed()) throw SearchStopped("the deadline passed while marking certain edges");
+  }
+
+  // Every edge to a later point is certain until an edge yw between neighbours is found that crosses it.
+  void mark_edges_from_smaller_end(Index s) {
+    constexpr Index kVerticesPerLook = 64;
+    if (s % kVerticesPerLook == 0) look_at_the_clock();
+    Scratch& scratch = scratch_.local();
+    const auto star = graph_.star(s);
+    scratch.marked.clear();
+    scratch.order.clear();
+    for (Place t = 0; t < star.size(); ++t) {
+      if (s < star[t]) scratch.marked.push_back(t);
+      scratch.order.push_back(t);
+    }
+    if (star.size() > kLargeStar) put_near_ones_first(s, scratch.order);
+    for (const Place y : scratch.order) {
+      if (scratch.marked.empty()) break;
+      if (star.size() > kLargeStar) look_at_the_clock();
+      unmark_edges_crossed_from(s, y, scratch.marked);
+    }
+    for (const Place t : scratch.marked) graph_.certain[graph_.first[s] + t] = 1;
+  }
+
+  // Where long chains face each other, edges from the neighbours in the own chain cross nearly everything.
+  void put_near_ones_first(Index s, std::vector<Place>& order) const {
+    const auto star = graph_.star(s);
+    const auto near = order.begin() + std::min<std::ptrdiff_t>(8, std::ssize(order));
+    std::partial_sort(order.begin(), near, order.end(), [&](Place a, Place b) {
+      return compare_length(graph_.points[s], graph_.points[star[a]], graph_.points[s], graph_.points[star[b]]) < 0;
+    });
+  }
+
+  // By edges from neighbour y to those that follow it counter-clockwise, up to the opposite direction.
+  void unmark_edges_crossed_from(Index s, Place y, std::vector<Place>& marked) const {
+    const auto star = graph_.star(s);
+    const auto degree = static_cast<Place>(star.size());
+    const auto steps_to = [&](Place t) { return t > y ? t - y : t + degree - y; };
+    const Point& from = graph_.points[star[y]];
+    Place steps = steps_to(first_after(marked, y));
+    while (++steps < degree) {
+      const Place w = y + steps < degree ? y + steps : y + steps - degree;
+      const Point& to = graph_.points[star[w]];
+      if (orientation(graph_.points[s], from, to) <= 0) return;
+      if (!has_edge(star[y], star[w])) continue;
+      erase_between(marked, y, w, [&](Place t) { return orientation(from, to, graph_.points[star[t]]) < 0; });
+      if (marked.empty()) return;
+      steps = std::max(steps, steps_to(first_after(marked, y)));
+    }
+  }
+
+  // Around the circle; precondition: there are any.
+  static Place first_after(const std::vector<Place>& places, Place y) {
+    const auto next = std::upper_bound(places.begin(), places.end(), y);
+    return next != places.end() ? *next : places.front();
+  }
+
+  // Erases those of the places after y and before w, around the circle, that meet the condition.
+  template <class Condition>
+  static void erase_between(std::vector<Place>& places, Place y, Place w, const Condition& condition) {
+    const auto erase = [&](Place first, Place end) {
+      const auto from = std::lower_bound(places.begin(), places.end(), first);
+      const auto to = std::lower_bound(from, places.end(), end);
+      places.erase(std::remove_if(from, to, condition), to);
+    };
+    if (y < w) return erase(y + 1, w);
+    erase(y + 1, kNoPlace);
+    erase(0, w);
+  }
+
+  void copy_marks_to_larger_end(Index t) {
+    for (std::uint32_t i = graph_.first[t]; i < graph_.first[t + std::size_t{1}]; ++i) {
+      const Index s = graph_.target[i];
+      if (s > t) continue;
+      const auto star = graph_.star(s);
+      const auto position = static_cast<std::uint32_t>(std::find(star.begin(), star.end(), t) - star.begin());
+      graph_.certain[i] = graph_.certain[graph_.first[s] + position];
+    }
+  }
+
+  CandidateGraph graph_;
+  const std::vector<Star>& stars_;
+  const Context& context_;
+  tbb::enumerable_thread_specific<Scratch> scratch_;
+  std::mutex hidden_mutex_;
+  std::vector<Edge> hidden_;  // edges through another point
+};
+
+}  // namespace
+
+CandidateGraph mark_certain_edges(Points points, const StarTable& stars, const Context& context) {
+  return Marking(points, stars, context).run();
+}
+
+}  // namespace mwt

@@ -1,0 +1,191 @@
+#include "algorithms/exact/candidates/diamond_candidates.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "algorithms/exact/candidates/near_points.h"
+#include "algorithms/exact/search_stopped.h"
+
+namespace mwt {
+
+namespace {
+
+constexpr std::uint16_t kNeverDead = 0x7F80;  // upper half of the float infinity
+
+// The code of the largest representable distance not above `distance`: comparable with codes of dead distances.
+std::uint16_t code_of(float distance) {
+  return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(distance) >> 16);
+}
+
+// Position on the circle of bins, as in diamond_kernels.cpp, for the corners of boxes.
+float bin_position(float raw_x, float raw_y) {
+  const float x = kBinTurnCosine * raw_x - kBinTurnSine * raw_y;
+  const float y = kBinTurnCosine * raw_y + kBinTurnSine * raw_x;
+  const float ax = std::abs(x), ay = std::abs(y);
+  const float t = std::min(ax, ay) / std::max(ax, ay);
+  float position = kBinsPerOctant * t * (kBinSlope - kBinCurve * t);
+  if (ay > ax) position = 2 * kBinsPerOctant - position;
+  if (x < 0) position = 4 * kBinsPerOctant - position;
+  return y < 0 ? kDirectionBins - position : position;
+}
+
+// A range of bins, first .. first + count - 1 around the circle.
+struct BinRange {
+  int first;
+  int count;
+};
+
+// The bins of all directions from a point of one box to a point of the other. Precondition: the boxes are apart.
+BinRange directions_between(const Box& from, const Box& to, double scale) {
+  const auto low_x = static_cast<float>((to.min_x - from.max_x) * scale),
+             high_x = static_cast<float>((to.max_x - from.min_x) * scale);
+  const auto low_y = static_cast<float>((to.min_y - from.max_y) * scale),
+             high_y = static_cast<float>((to.max_y - from.min_y) * scale);
+  const float center = bin_position(0.5F * (low_x + high_x), 0.5F * (low_y + high_y));
+  float least = 0, most = 0;
+  for (const auto& [x, y] : {std::pair{low_x, low_y}, {low_x, high_y}, {high_x, low_y}, {high_x, high_y}}) {
+    float turn = bin_position(x, y) - center;
+    if (turn > kDirectionBins / 2.0F) turn -= kDirectionBins;
+    if (turn < -kDirectionBins / 2.0F) turn += kDirectionBins;
+    least = std::min(least, turn);
+    most = std::max(most, turn);
+  }
+  constexpr float kRounding = 0.01F;  // of a bin: far more than what floats lose
+  const int first = static_cast<int>(std::floor(center + least - kRounding));
+  const int last = static_cast<int>(std::floor(center + most + kRounding));
+  return {(first + kDirectionBins) % kDirectionBins, std::min(last - first + 1, kDirectionBins)};
+}
+
+bool has_open_direction(const DeadDistances& dead) {
+  return std::any_of(dead.code.begin(), dead.code.begin() + kDirectionBins,
+                     [](std::uint16_t code) { return code >= kNeverDead; });
+}
+
+}  // namespace
+
+DiamondTest::DiamondTest(const KdOrder& order)
+    : order_(order),
+      scale_(distance_scale(order)),
+      dead_(order.points.size()),
+      dead_of_node_(2 * std::size_t{order.leaf_count}),
+      farthest_of_node_(2 * std::size_t{order.leaf_count}) {
+  tbb::enumerable_thread_specific<NearPointsFinder> finders([this] { return NearPointsFinder(order_); });
+  tbb::parallel_for(order_.leaf_count, 2 * order_.leaf_count, [&](std::uint32_t leaf) {
+    NearPointsFinder& finder = finders.local();
+    const Index first = order_.first_of(leaf);
+    const auto dead = std::span(dead_).subspan(first, order_.last_of(leaf) - first);
+    compute_dead_distances(finder.find(leaf), dead);
+    if (std::any_of(dead.begin(), dead.end(), has_open_direction)) {
+      compute_dead_distances(finder.add_samples(leaf), dead);
+    }
+    set_maximum(leaf, dead);
+  });
+  for (std::uint32_t node = order_.leaf_count - 1; node >= 1; --node) {
+    set_maximum(node, std::span<const DeadDistances>(dead_of_node_).subspan(2 * std::size_t{node}, 2));
+  }
+}
+
+void DiamondTest::set_maximum(std::uint32_t node, std::span<const DeadDistances> parts) {
+  DeadDistances& maximum = dead_of_node_[node];
+  for (const DeadDistances& part : parts) {
+    for (std::size_t bin = 0; bin < part.code.size(); ++bin) {
+      maximum.code[bin] = std::max(maximum.code[bin], part.code[bin]);
+    }
+  }
+  farthest_of_node_[node] = *std::max_element(maximum.code.begin(), maximum.code.end());
+}
+
+std::vector<Index> DiamondTest::possible_hull_points() const {
+  std::vector<Index> found;
+  for (Index p = 0; p < dead_.size(); ++p) {
+    if (has_open_direction(dead_[p])) found.push_back(p);
+  }
+  return found;
+}
+
+// Whether an edge between a point of the leaf and one of the node may pass.
+bool DiamondTest::may_connect(std::uint32_t leaf, std::uint32_t node) const {
+  const Box& from = order_.boxes[leaf];
+  const Box& to = order_.boxes[node];
+  const float distance = box_distance(from, to, scale_);
+  if (distance == 0) return true;
+  const std::uint16_t code = code_of(distance);
+  if (code >= std::min(farthest_of_node_[leaf], farthest_of_node_[node])) return false;
+  const BinRange range = directions_between(from, to, scale_);
+  const DeadDistances& here = dead_of_node_[leaf];
+  const DeadDistances& there = dead_of_node_[node];
+  for (int i = 0; i < range.count; ++i) {
+    const int bin = (range.first + i) % kDirectionBins;
+    const int opposite = (bin + kDirectionBins / 2) % kDirectionBins;
+    const auto dead =
+        std::min(here.code[static_cast<std::size_t>(bin)], there.code[static_cast<std::size_t>(opposite)]);
+    if (code < dead) return true;
+  }
+  return false;
+}
+
+// The leaves from `leaf` on that may have an edge to it, in tree order.
+void DiamondTest::collect_partners(std::uint32_t leaf, std::vector<std::uint32_t>& partners) const {
+  partners.clear();
+  const Index first = order_.first_of(leaf);
+  std::array<std::uint32_t, 64> stack{1};  // a path in the tree and its siblings
+  std::size_t height = 1;
+  while (height > 0) {
+    const std::uint32_t node = stack[--height];
+    if (order_.last_of(node) <= first || !may_connect(leaf, node)) continue;
+    if (order_.is_leaf(node)) {
+      partners.push_back(node);
+    } else {
+      stack[height++] = 2 * node + 1;
+      stack[height++] = 2 * node;
+    }
+  }
+}
+
+void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block) const {
+  const std::uint32_t block_node = blocks.first_block_node + block;
+  const std::uint32_t leaves = order_.leaf_count / blocks.first_block_node;
+  const std::uint32_t first_leaf = block_node * leaves;
+  const Index block_end = order_.last_of(block_node);
+  NearPointsFinder finder(order_);
+  std::vector<std::uint32_t> partners;
+  std::array<CandidatePair, KdOrder::kLargestLeaf * KdOrder::kLargestLeaf> found;
+  std::vector<CandidatePair>& inner = blocks.inner[block];
+  std::vector<CandidatePair>& outer = blocks.outer[block];
+  for (std::uint32_t leaf = first_leaf; leaf < first_leaf + leaves; ++leaf) {
+    collect_partners(leaf, partners);
+    const CandidateSearch search{order_.points, dead_, finder.find(leaf), order_.first_of(leaf)};
+    for (const std::uint32_t partner : partners) {
+      const Index first = order_.first_of(partner);
+      const std::size_t count = append_candidates(search, first, order_.last_of(partner), found.data());
+      std::vector<CandidatePair>& target = first < block_end ? inner : outer;
+      target.insert(target.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+  }
+}
+
+CandidateBlocks DiamondTest::find_candidates(const Context& context) const {
+  CandidateBlocks blocks;
+  blocks.first_block_node = std::max(order_.leaf_count / CandidateBlocks::kLeavesPerBlock, 1U);
+  blocks.inner.resize(blocks.first_block_node);
+  blocks.outer.resize(blocks.first_block_node);
+  const std::size_t limit = std::max<std::size_t>(100'000'000, 64 * order_.points.size());
+  std::atomic<std::size_t> total = 0;
+  tbb::parallel_for(std::uint32_t{0}, blocks.first_block_node, [&](std::uint32_t block) {
+    if (context.deadline_passed()) throw SearchStopped("the deadline passed during the diamond test");
+    search_block(blocks, block);
+    total += blocks.inner[block].size() + blocks.outer[block].size();
+    if (total > limit) throw SearchStopped("more than " + std::to_string(limit) + " edges pass the diamond test");
+  });
+  return blocks;
+}
+
+}  // namespace mwt

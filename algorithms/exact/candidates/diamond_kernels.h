@@ -1,0 +1,59 @@
+// The diamond test's inner loops, on vectors: chosen at run time for the machine's instruction set (Google Highway).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "algorithms/exact/candidates/direction_bins.h"
+#include "algorithms/exact/candidates/kd_order.h"
+
+namespace mwt {
+
+/// Per direction bin, the distance beyond which no edge of a minimum weight triangulation leaves a point (or any point
+/// of a tree node): the upper halves of floats, rounded up. Distances are in scaled units (see NearPoints::scale).
+struct alignas(64) DeadDistances {
+  std::array<std::uint16_t, 64> code{};  // kDirectionBins used
+};
+
+/// The points near a leaf: those of the closest leaves, nearest first, starting with the leaf itself. Each near leaf
+/// takes kLargestLeaf places, unused ones filled with NaN, which blocks nothing.
+struct NearPoints {
+  static constexpr int kLeaves = 14;
+  static constexpr int kCapacity = kLeaves * static_cast<int>(KdOrder::kLargestLeaf);
+  static constexpr int kSampleCapacity = 1024;
+
+  double scale = 1;  ///< power of two that brings the instance's extent near 2^60, so that squares of floats keep range
+  int leaf_size = 0;  ///< points of the leaf itself: the first places
+  int leaves = 0;
+  int samples = 0;  ///< further points, sparse ones from far away: they stand after the near leaves' places
+  std::array<float, kLeaves> distance{};  ///< scaled lower bound of the distance of each near leaf's box
+  alignas(64) std::array<double, kCapacity + kSampleCapacity> x{};
+  alignas(64) std::array<double, kCapacity + kSampleCapacity> y{};
+
+  [[nodiscard]] int places() const { return leaves * static_cast<int>(KdOrder::kLargestLeaf) + samples; }
+};
+
+/// An edge that may be in a minimum weight triangulation, smaller index first.
+struct CandidatePair {
+  Index p;
+  Index q;
+};
+
+/// Fills the dead distances of the leaf's own points from the near points and samples.
+void compute_dead_distances(const NearPoints& near, std::span<DeadDistances> of_leaf_points);
+
+/// What append_candidates reads.
+struct CandidateSearch {
+  Points points;
+  std::span<const DeadDistances> dead;
+  const NearPoints& near;
+  Index leaf_first;  ///< the leaf's points are leaf_first .. leaf_first + near.leaf_size
+};
+
+/// Writes all pairs (p of the leaf, q in [first, last), p < q) that neither end's dead distances nor the near points
+/// exclude by the diamond test, and that no near point occludes (lies on). Returns how many; `out` must have room for
+/// all pairs.
+std::size_t append_candidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out);
+
+}  // namespace mwt

@@ -1,0 +1,117 @@
+#include "algorithms/exact/candidates/far_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "algorithms/exact/candidates/direction_bins.h"
+#include "geometry/predicates.h"
+
+namespace mwt {
+
+namespace {
+
+// How many times the distance of the nearest neighbour is far. Nearer edges the diamond test sees precisely enough.
+constexpr float kFar = 100;
+constexpr std::size_t kWitnesses = 64;  // nearest neighbours that are looked at
+
+struct Neighbour {
+  float square;
+  float x;
+  float y;
+  Index vertex;
+};
+
+// By distance: the nearest first, up to kWitnesses of them in order.
+void collect_neighbours(const Star& star, std::vector<Neighbour>& neighbours) {
+  neighbours.clear();
+  for (std::uint32_t i = 0; i < star.count; ++i) {
+    const float x = star.x()[i], y = star.y()[i];
+    neighbours.push_back({x * x + y * y, x, y, star.target()[i]});
+  }
+  const auto end = neighbours.begin() + static_cast<std::ptrdiff_t>(std::min(neighbours.size(), kWitnesses));
+  std::partial_sort(neighbours.begin(), end, neighbours.end(),
+                    [](const Neighbour& a, const Neighbour& b) { return a.square < b.square; });
+}
+
+class FarEdgeTest {
+ public:
+  FarEdgeTest(Points points, Index v, const std::vector<Neighbour>& neighbours)
+      : points_(points), v_(v), neighbours_(neighbours) {}
+
+  // Whether both triangles of the edge to `far` hold a neighbour. Those at most a tenth as far away are under the
+  // rising sides of the triangles if their direction is near enough to that of the edge.
+  [[nodiscard]] bool is_excluded(const Neighbour& far) const {
+    const std::size_t count = std::min(neighbours_.size(), kWitnesses);
+    bool left = false, right = false;
+    for (std::size_t i = 0; i < count && neighbours_[i].square * 100 < far.square && !(left && right); ++i) {
+      const int side = side_of(far, neighbours_[i]);
+      left = left || side > 0;
+      right = right || side < 0;
+    }
+    return left && right;
+  }
+
+ private:
+  // On which side of the edge a neighbour lies in the triangle; 0 if in neither, or if floats cannot tell.
+  [[nodiscard]] int side_of(const Neighbour& far, const Neighbour& near) const {
+    constexpr float kMargin = 1e-5F;  // far above what products of floats lose
+    constexpr auto kTangent = static_cast<float>(kTangentOfDiamondAngle);
+    const float along = far.x * near.x + far.y * near.y;
+    const float height = far.x * near.y - far.y * near.x;
+    const bool is_under_side = std::abs(height) < (kTangent - kMargin) * along;
+    if (!is_under_side) return 0;
+    if (std::abs(height) > kMargin * along) return height > 0 ? 1 : -1;
+    return orientation(points_[v_], points_[far.vertex], points_[near.vertex]);
+  }
+
+  Points points_;
+  Index v_;
+  const std::vector<Neighbour>& neighbours_;
+};
+
+void remove_target(Star& star, Index target) {
+  std::uint32_t* const end = star.target() + star.count;
+  const auto position = static_cast<std::size_t>(std::lower_bound(star.target(), end, target) - star.target());
+  if (position == star.count || star.target()[position] != target) return;
+  for (std::size_t row = 0; row < 4; ++row) {
+    std::uint32_t* const words = star.words + row * star.capacity;
+    std::copy(words + position + 1, words + star.count, words + position);
+  }
+  --star.count;
+}
+
+bool has_far_edges(const Star& star) {
+  float smallest = std::numeric_limits<float>::infinity(), largest = 0;
+  for (std::uint32_t i = 0; i < star.count; ++i) {
+    const float square = star.x()[i] * star.x()[i] + star.y()[i] * star.y()[i];
+    smallest = std::min(smallest, square);
+    largest = std::max(largest, square);
+  }
+  return largest > kFar * kFar * smallest;
+}
+
+}  // namespace
+
+std::size_t delete_far_edges(Points points, StarTable& stars) {
+  std::vector<std::pair<Index, Index>> excluded;
+  std::vector<Neighbour> neighbours;
+  for (Index v = 0; v < stars.stars.size(); ++v) {
+    if (!has_far_edges(stars.stars[v])) continue;
+    collect_neighbours(stars.stars[v], neighbours);
+    const FarEdgeTest test(points, v, neighbours);
+    const float far = kFar * kFar * neighbours.front().square;
+    for (const Neighbour& neighbour : neighbours) {
+      if (neighbour.square > far && test.is_excluded(neighbour)) excluded.emplace_back(v, neighbour.vertex);
+    }
+  }
+  for (const auto& [v, w] : excluded) {
+    remove_target(stars.stars[v], w);
+    remove_target(stars.stars[w], v);
+  }
+  return excluded.size();
+}
+
+}  // namespace mwt

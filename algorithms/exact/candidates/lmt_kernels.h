@@ -1,0 +1,42 @@
+// The LMT-skeleton's inner loops, on vectors: chosen at run time for the machine's instruction set (Google Highway).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algorithms/algorithm.h"
+#include "algorithms/exact/candidates/diamond_kernels.h"
+#include "algorithms/exact/candidates/stars.h"
+
+namespace mwt {
+
+struct LmtCounters {
+  std::uint64_t checks = 0;
+  std::uint64_t deleted = 0;
+
+  void add(const LmtCounters& other) {
+    checks += other.checks;
+    deleted += other.deleted;
+  }
+};
+
+/// Which edges lie on the convex hull: those need a triangle on one side only and are never deleted.
+struct HullEdges {
+  std::vector<Index> next;  ///< for each vertex on the hull its successor, kNoIndex for others
+
+  [[nodiscard]] bool contains(Index p, Index q) const { return next[p] == q || next[q] == p; }
+};
+
+/// Deletes from the stars every one of `edges` that has no certificate, and, while that breaks the certificates of
+/// edges examined before, examines those again. An edge's certificate is a triangle of candidates on either side, with
+/// no known point certainly inside, such that the quadrilateral is not certainly convex or the other diagonal is not
+/// certainly shorter: the edge is (or may be) locally minimal in it. Only the stars of vertices reached from `edges`
+/// change.
+///
+/// All decisions are made in floats with error margins; what is uncertain keeps the edge. After the context's deadline
+/// the remaining edges are kept unexamined.
+LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
+                                             std::span<const CandidatePair> edges, const Context& context);
+
+}  // namespace mwt

@@ -1,0 +1,25 @@
+// Second stage of the exact solver: the locally minimal triangulation (LMT) skeleton.
+#pragma once
+
+#include "algorithms/exact/candidates/diamond_candidates.h"
+#include "algorithms/exact/candidates/lmt_kernels.h"
+#include "algorithms/exact/candidates/stars.h"
+
+namespace mwt {
+
+struct LmtSkeleton {
+  StarTable stars;  ///< the surviving edges, each in both ends' stars
+  LmtCounters counters;
+};
+
+/// Deletes candidates that are not locally minimal in any quadrilateral of surviving candidates, until none is left
+/// (Dickerson and Montague 1996; Beirouti and Snoeyink 1998). Consumes `blocks`.
+///
+/// Edges within a block first, longest first, blocks in parallel; then, up the k-d tree, the edges between a node's two
+/// children: an edge touches the stars of its two ends only, so nodes of one level do not disturb each other, and the
+/// result does not depend on the number of threads. Runs on the threads of the enclosing task arena.
+/// Throws SearchStopped (search_stopped.h) after the context's deadline.
+[[nodiscard]] LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, CandidateBlocks blocks,
+                                            const Context& context);
+
+}  // namespace mwt
