@@ -48,7 +48,7 @@ TEST(ProcessPool, ACrashIsToldBySignal) {
 
 TEST(ProcessPool, AnEndWithoutResultIsACrashWithItsLastWords) {
   const ProcessResult result = run([]() -> std::string {
-    std::fputs((std::string(5000, '.') + "last words\n").c_str(), stderr);
+    std::fputs(std::string(5000, '.').append("last words\n").c_str(), stderr);
     std::fflush(stderr);
     _exit(0);
   });
