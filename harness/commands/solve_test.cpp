@@ -123,13 +123,36 @@ min_time_s = 0.001
   ASSERT_EQ(runs.size(), 4u);
   for (const RunRecord& run : runs) EXPECT_EQ(run.optimality, "proved") << run.algorithm << ' ' << run.generator;
   expect_mistake("run tiny.toml", "--resume");
-  run("run tiny.toml --resume --jobs 2");
+  EXPECT_EQ(run("run tiny.toml --resume --jobs 2 --quiet").find("alpha by algorithm"), std::string::npos);
   EXPECT_EQ(read_runs(path("results/tiny")).size(), 4u);
   run("run tiny.toml --out again");
   const std::string instances = read("again/instances.csv");
   EXPECT_NE(instances.find(",cached\n"), std::string::npos) << instances;
   run("run tiny.toml --out anew --no-cache");
   EXPECT_EQ(read("anew/instances.csv").find("cached"), std::string::npos);
+}
+
+TEST_F(Solve, AFailedRunIsShownEvenWhenQuiet) {
+  write("start.csv", "0,1,2\n");
+  write("broken.toml", R"(name = "broken"
+summary = "begins with what is no triangulation"
+families = ["uniform"]
+sizes = [8]
+algorithms = [{ name = "flip_report", parameters = { start = "start.csv" } }]
+)");
+  const std::string output = run("run broken.toml --quiet");
+  EXPECT_NE(output.find("\nflip_report  error     1  uniform n=8 seed=1  no start: "), std::string::npos) << output;
+}
+
+TEST_F(Solve, AReportsTablesGoToAFileWhenAsked) {
+  write("tiny.toml",
+        "name = \"tiny\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [8]\n"
+        "algorithms = [\"delaunay\"]\nmin_time_s = 0.001\n");
+  run("run tiny.toml --out records");
+  const std::string everything = run("report records");
+  const std::string verdicts = run("report records --tables tables.txt");
+  EXPECT_TRUE(verdicts.starts_with("written: tables.txt\n")) << verdicts;
+  EXPECT_EQ(read("tables.txt") + verdicts.substr(verdicts.find('\n') + 1), everything);
 }
 
 }  // namespace
