@@ -1,6 +1,7 @@
 #include "algorithms/exact/certain_edges.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace mwt {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
+
+// In larger stars edges are looked up by bisection, and each takes a look at the clock.
+constexpr std::size_t kLargeStar = 64;
 
 class Marking {
  public:
@@ -91,47 +95,52 @@ class Marking {
   }
 
   bool has_edge(Index v, Index w) const {
+    if (graph_.star(w).size() < graph_.star(v).size()) std::swap(v, w);
     const auto star = graph_.star(v);
-    return std::find(star.begin(), star.end(), w) != star.end();
-  }
-
-  bool is_certain(Index s, Index t) const {
-    const Point& a = graph_.points[s];
-    const Point& b = graph_.points[t];
-    const auto star = graph_.star(s);
-    const std::size_t degree = star.size();
-    const auto here = static_cast<std::size_t>(std::find(star.begin(), star.end(), t) - star.begin());
-    // Neighbours to the left of st follow it in the star, those to the right precede it.
-    std::size_t right = 0;
-    while (right + 1 < degree && orientation(a, b, graph_.points[star[(here + degree - right - 1) % degree]]) < 0) {
-      ++right;
-    }
-    for (std::size_t i = 1; i + right < degree; ++i) {
-      const Index w = star[(here + i) % degree];
-      if (orientation(a, b, graph_.points[w]) <= 0) break;
-      for (std::size_t j = 1; j <= right; ++j) {
-        const Index y = star[(here + degree - j) % degree];
-        const bool crosses = orientation(graph_.points[y], graph_.points[w], b) < 0 &&
-                             orientation(graph_.points[y], graph_.points[w], a) > 0;
-        if (crosses && has_edge(y, w)) return false;
-      }
-    }
-    return true;
+    if (star.size() <= kLargeStar) return std::find(star.begin(), star.end(), w) != star.end();
+    // The table's stars are sorted by target. They contain hidden edges as well: to believe in those is safe.
+    const Star& sorted = stars_[v];
+    return std::binary_search(sorted.target(), sorted.target() + sorted.count, w);
   }
 
   void look_at_the_clock() const {
     if (context_.deadline_passed()) throw SearchStopped("the deadline passed while marking certain edges");
   }
 
+  // Every edge to a later point is certain until an edge yw between neighbours is found that crosses it.
   void mark_edges_from_smaller_end(Index s) {
     constexpr Index kVerticesPerLook = 64;
-    constexpr std::uint32_t kLargeStar = 128;
     if (s % kVerticesPerLook == 0) look_at_the_clock();
-    const bool is_large = graph_.first[s + std::size_t{1}] - graph_.first[s] > kLargeStar;
-    for (std::uint32_t i = graph_.first[s]; i < graph_.first[s + std::size_t{1}]; ++i) {
-      const Index t = graph_.target[i];
-      if (is_large) look_at_the_clock();
-      if (s < t && is_certain(s, t)) graph_.certain[i] = 1;
+    const auto star = graph_.star(s);
+    const std::span<std::uint8_t> certain = std::span(graph_.certain).subspan(graph_.first[s], star.size());
+    for (std::size_t i = 0; i < star.size(); ++i) certain[i] = s < star[i] ? 1 : 0;
+    std::vector<std::size_t>& marked = marked_.local();
+    for (std::size_t y = 0; y < star.size(); ++y) {
+      if (star.size() > kLargeStar) look_at_the_clock();
+      unmark_edges_crossed_from(s, y, certain, marked);
+    }
+  }
+
+  // By edges from neighbour number y to those that follow it counter-clockwise, up to the opposite direction. `marked`
+  // is scratch: the marked edges between y and w.
+  void unmark_edges_crossed_from(Index s, std::size_t y, std::span<std::uint8_t> certain,
+                                 std::vector<std::size_t>& marked) const {
+    const auto star = graph_.star(s);
+    const Point& from = graph_.points[star[y]];
+    marked.clear();
+    for (std::size_t steps = 1; steps < star.size(); ++steps) {
+      const std::size_t w = y + steps < star.size() ? y + steps : y + steps - star.size();
+      if (marked.empty() && certain[w] == 0) continue;
+      const Point& to = graph_.points[star[w]];
+      if (orientation(graph_.points[s], from, to) <= 0) return;
+      if (!marked.empty() && has_edge(star[y], star[w])) {
+        std::erase_if(marked, [&](std::size_t t) {
+          const bool is_crossed = orientation(from, to, graph_.points[star[t]]) < 0;
+          if (is_crossed) certain[t] = 0;
+          return is_crossed;
+        });
+      }
+      if (certain[w] != 0) marked.push_back(w);
     }
   }
 
@@ -148,6 +157,7 @@ class Marking {
   CandidateGraph graph_;
   const std::vector<Star>& stars_;
   const Context& context_;
+  tbb::enumerable_thread_specific<std::vector<std::size_t>> marked_;
   std::mutex hidden_mutex_;
   std::vector<Edge> hidden_;  // edges through another point
 };

@@ -15,6 +15,7 @@
 #include "algorithms/exact/lmt_skeleton.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
+#include "algorithms/exact/usable_threads.h"
 #include "algorithms/flip/flip.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
@@ -159,7 +160,7 @@ class ExactSolver {
 }  // namespace
 
 Solution exact(Points points, Context& context) {
-  tbb::task_arena arena(context.threads);
+  tbb::task_arena arena(usable_threads(context));
   return arena.execute([&] { return ExactSolver(points, context).run(); });
 }
 

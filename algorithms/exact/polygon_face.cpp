@@ -33,8 +33,7 @@ double close_above(double least) {
 
 }  // namespace
 
-PolygonFaceOutcome PolygonFaceSolver::solve(std::span<const Corner> corners,
-                                            const std::optional<std::chrono::steady_clock::time_point>& deadline,
+PolygonFaceOutcome PolygonFaceSolver::solve(std::span<const Corner> corners, const Deadline& deadline,
                                             FaceTriangles& result) {
   corners_ = corners;
   if (corners.size() == 4) return solve_quadrilateral(result);
@@ -130,10 +129,9 @@ void PolygonFaceSolver::lay_out_backward_cells() {
   row_cell_.resize(size);
 }
 
-PolygonFaceOutcome PolygonFaceSolver::compute_cells(
-    const std::optional<std::chrono::steady_clock::time_point>& deadline) {
+PolygonFaceOutcome PolygonFaceSolver::compute_cells(const Deadline& deadline) {
   for (auto from = static_cast<Position>(corners_.size() - 1); from-- > 0;) {
-    const bool late = deadline && corners_.size() > kSmallFace && std::chrono::steady_clock::now() >= *deadline;
+    const bool late = corners_.size() > kSmallFace && has_passed(deadline);
     if (late) return PolygonFaceOutcome::out_of_time;
     compute_row(from);
   }

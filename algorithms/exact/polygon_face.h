@@ -6,12 +6,11 @@
 // T. Klincsek 1980), restricted to candidates, is exact, with slits and repeated vertices as well.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "algorithms/exact/face_walk.h"
 #include "geometry/double_double.h"
 #include "geometry/weight.h"
@@ -52,8 +51,7 @@ class PolygonFaceSolver {
 
   /// Adds the face's optimal triangulation to `result`, unless the outcome is another than `solved`.
   /// Precondition: at least 3 corners.
-  PolygonFaceOutcome solve(std::span<const Corner> corners,
-                           const std::optional<std::chrono::steady_clock::time_point>& deadline, FaceTriangles& result);
+  PolygonFaceOutcome solve(std::span<const Corner> corners, const Deadline& deadline, FaceTriangles& result);
 
   [[nodiscard]] const PolygonFaceCounters& counters() const { return counters_; }
 
@@ -82,7 +80,7 @@ class PolygonFaceSolver {
   void collect_positions_of_vertices();
   [[nodiscard]] Position find_position(Index vertex, Position after, Index partner) const;
   void lay_out_backward_cells();
-  [[nodiscard]] PolygonFaceOutcome compute_cells(const std::optional<std::chrono::steady_clock::time_point>& deadline);
+  [[nodiscard]] PolygonFaceOutcome compute_cells(const Deadline& deadline);
   void compute_row(Position from);
   [[nodiscard]] bool find_best_option(Position from, Cell cell, Option& best);
   [[nodiscard]] Option best_of_close_options(Position from, Cell cell, double threshold);
