@@ -146,7 +146,7 @@ TEST_F(TrackingCommands, HistoryTellsWhatChanged) {
 TEST_F(TrackingCommands, MistakesOfTrackAndHistory) {
   expect_mistake("track", "dir is required");
   expect_mistake("track missing", "missing/runs.csv");
-  expect_mistake("history changes", "results/history.sqlite");
+  expect_mistake("history changes", "results/history.sqlite: there is no history here; mwt track FOLDER");
   expect_mistake("history forget", "known: export, changes, series");
   expect_mistake("history export", "--csv");
   EXPECT_FALSE(exists("results"));
