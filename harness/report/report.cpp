@@ -47,7 +47,7 @@ void write_exponents(const ReportData& data, std::ostream& out) {
 
 void print_failures(const ReportData& data, std::ostream& out) {
   const std::string table = failure_table(data.records.runs);
-  if (!table.empty()) out << '\n' << table << '\n';
+  if (!table.empty()) out << table << '\n';
 }
 
 void judge_source_report(const ReportData& data, std::ostream& out) {
@@ -69,10 +69,10 @@ ReportData read_report_data(const std::string& folder) {
   return {folder, std::move(records), std::move(cells), std::move(summaries), std::move(growth), std::move(labels)};
 }
 
-std::vector<ReportPart> report_tables() { return {print_cells, print_growth, print_growth_laws, print_algorithms}; }
-
-std::vector<ReportPart> report_results() {
-  return {write_summary, write_exponents, print_failures, judge_source_report};
+std::vector<ReportPart> report_tables() {
+  return {print_cells, print_growth, print_growth_laws, print_algorithms, print_failures};
 }
+
+std::vector<ReportPart> report_results() { return {write_summary, write_exponents, judge_source_report}; }
 
 }  // namespace mwt

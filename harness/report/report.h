@@ -33,7 +33,7 @@ using ReportPart = std::function<void(const ReportData& data, std::ostream& out)
 /// All numbers as tables, pages of them; in the order in which a reader wants them.
 [[nodiscard]] std::vector<ReportPart> report_tables();
 
-/// What follows from the numbers, a page at most: files for programs, failures, verdicts.
+/// What follows from the numbers, a page at most: files for programs, verdicts.
 [[nodiscard]] std::vector<ReportPart> report_results();
 
 }  // namespace mwt
