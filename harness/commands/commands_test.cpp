@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "algorithms/registry.h"
+#include "generators/registry.h"
 #include "harness/commands/commands_testing.h"
 
 namespace mwt {

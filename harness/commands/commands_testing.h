@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "harness/test_support.h"
+#include "harness/folder_testing.h"
 
 namespace mwt::testing {
 
@@ -56,7 +56,7 @@ class CommandTest : public ::testing::Test {
   }
 
  private:
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 }  // namespace mwt::testing
