@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 
 #include "algorithms/exact/by_direction.h"
@@ -38,6 +39,14 @@ class Marking {
   }
 
  private:
+  using Place = std::uint32_t;  // in a star
+  static constexpr Place kNoPlace = std::numeric_limits<Place>::max();
+
+  struct Scratch {
+    std::vector<Place> marked;  // edges that nothing known crosses, ascending
+    std::vector<Place> order;   // in which the star is gone through
+  };
+
   template <class Body>
   static void for_each_vertex(Index n, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<Index>(0, n, kGrain), [&](const tbb::blocked_range<Index>& range) {
@@ -111,37 +120,67 @@ class Marking {
   void mark_edges_from_smaller_end(Index s) {
     constexpr Index kVerticesPerLook = 64;
     if (s % kVerticesPerLook == 0) look_at_the_clock();
+    Scratch& scratch = scratch_.local();
     const auto star = graph_.star(s);
-    const std::span<std::uint8_t> certain = std::span(graph_.certain).subspan(graph_.first[s], star.size());
-    for (std::size_t i = 0; i < star.size(); ++i) certain[i] = s < star[i] ? 1 : 0;
-    std::vector<std::size_t>& marked = marked_.local();
-    for (std::size_t y = 0; y < star.size(); ++y) {
+    scratch.marked.clear();
+    scratch.order.clear();
+    for (Place t = 0; t < star.size(); ++t) {
+      if (s < star[t]) scratch.marked.push_back(t);
+      scratch.order.push_back(t);
+    }
+    if (star.size() > kLargeStar) put_near_ones_first(s, scratch.order);
+    for (const Place y : scratch.order) {
+      if (scratch.marked.empty()) break;
       if (star.size() > kLargeStar) look_at_the_clock();
-      unmark_edges_crossed_from(s, y, certain, marked);
+      unmark_edges_crossed_from(s, y, scratch.marked);
+    }
+    for (const Place t : scratch.marked) graph_.certain[graph_.first[s] + t] = 1;
+  }
+
+  // Where long chains face each other, edges from the neighbours in the own chain cross nearly everything.
+  void put_near_ones_first(Index s, std::vector<Place>& order) const {
+    const auto star = graph_.star(s);
+    const auto near = order.begin() + std::min<std::ptrdiff_t>(8, std::ssize(order));
+    std::partial_sort(order.begin(), near, order.end(), [&](Place a, Place b) {
+      return compare_length(graph_.points[s], graph_.points[star[a]], graph_.points[s], graph_.points[star[b]]) < 0;
+    });
+  }
+
+  // By edges from neighbour y to those that follow it counter-clockwise, up to the opposite direction.
+  void unmark_edges_crossed_from(Index s, Place y, std::vector<Place>& marked) const {
+    const auto star = graph_.star(s);
+    const auto degree = static_cast<Place>(star.size());
+    const auto steps_to = [&](Place t) { return t > y ? t - y : t + degree - y; };
+    const Point& from = graph_.points[star[y]];
+    Place steps = steps_to(first_after(marked, y));
+    while (++steps < degree) {
+      const Place w = y + steps < degree ? y + steps : y + steps - degree;
+      const Point& to = graph_.points[star[w]];
+      if (orientation(graph_.points[s], from, to) <= 0) return;
+      if (!has_edge(star[y], star[w])) continue;
+      erase_between(marked, y, w, [&](Place t) { return orientation(from, to, graph_.points[star[t]]) < 0; });
+      if (marked.empty()) return;
+      steps = std::max(steps, steps_to(first_after(marked, y)));
     }
   }
 
-  // By edges from neighbour number y to those that follow it counter-clockwise, up to the opposite direction. `marked`
-  // is scratch: the marked edges between y and w.
-  void unmark_edges_crossed_from(Index s, std::size_t y, std::span<std::uint8_t> certain,
-                                 std::vector<std::size_t>& marked) const {
-    const auto star = graph_.star(s);
-    const Point& from = graph_.points[star[y]];
-    marked.clear();
-    for (std::size_t steps = 1; steps < star.size(); ++steps) {
-      const std::size_t w = y + steps < star.size() ? y + steps : y + steps - star.size();
-      if (marked.empty() && certain[w] == 0) continue;
-      const Point& to = graph_.points[star[w]];
-      if (orientation(graph_.points[s], from, to) <= 0) return;
-      if (!marked.empty() && has_edge(star[y], star[w])) {
-        std::erase_if(marked, [&](std::size_t t) {
-          const bool is_crossed = orientation(from, to, graph_.points[star[t]]) < 0;
-          if (is_crossed) certain[t] = 0;
-          return is_crossed;
-        });
-      }
-      if (certain[w] != 0) marked.push_back(w);
-    }
+  // Around the circle; precondition: there are any.
+  static Place first_after(const std::vector<Place>& places, Place y) {
+    const auto next = std::upper_bound(places.begin(), places.end(), y);
+    return next != places.end() ? *next : places.front();
+  }
+
+  // Erases those of the places after y and before w, around the circle, that meet the condition.
+  template <class Condition>
+  static void erase_between(std::vector<Place>& places, Place y, Place w, const Condition& condition) {
+    const auto erase = [&](Place first, Place end) {
+      const auto from = std::lower_bound(places.begin(), places.end(), first);
+      const auto to = std::lower_bound(from, places.end(), end);
+      places.erase(std::remove_if(from, to, condition), to);
+    };
+    if (y < w) return erase(y + 1, w);
+    erase(y + 1, kNoPlace);
+    erase(0, w);
   }
 
   void copy_marks_to_larger_end(Index t) {
@@ -157,7 +196,7 @@ class Marking {
   CandidateGraph graph_;
   const std::vector<Star>& stars_;
   const Context& context_;
-  tbb::enumerable_thread_specific<std::vector<std::size_t>> marked_;
+  tbb::enumerable_thread_specific<Scratch> scratch_;
   std::mutex hidden_mutex_;
   std::vector<Edge> hidden_;  // edges through another point
 };

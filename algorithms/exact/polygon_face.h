@@ -78,7 +78,8 @@ class PolygonFaceSolver {
   PolygonFaceOutcome solve_quadrilateral(FaceTriangles& result);
   [[nodiscard]] bool collect_cells();
   void collect_positions_of_vertices();
-  [[nodiscard]] Position find_position(Index vertex, Position after, Index partner) const;
+  [[nodiscard]] bool leads_back(Position position, Index partner);
+  [[nodiscard]] Position find_position(Index vertex, Position after, Index partner);
   void lay_out_backward_cells();
   [[nodiscard]] PolygonFaceOutcome compute_cells(const Deadline& deadline);
   void compute_row(Position from);
@@ -102,6 +103,7 @@ class PolygonFaceSolver {
 
   std::span<const Corner> corners_;
   std::vector<std::pair<Index, Position>> positions_;  // of the vertices, sorted; large faces only
+  std::vector<std::uint32_t> passed_;                  // by position: its candidates before the last one asked for
 
   // Cells (i, j), i < j, row by row, ascending j: boundary edges and candidates.
   std::vector<Cell> first_;
