@@ -1,6 +1,11 @@
 # One test program per floor, from the x_test.cpp files beside the code. Suites named ...Slow carry the label `slow`.
 include(GoogleTest)
 
+# Half of a build is the compiling of tests, and optimising them costs more than it gains: tests spend their time in the libraries,
+# which stay optimised. These flags come after all others; the presets `ci` and `sanitize` set them.
+set(MWT_TEST_FLAGS "" CACHE STRING "Further compiler flags for the sources of tests, such as -O0")
+separate_arguments(test_flags NATIVE_COMMAND "${MWT_TEST_FLAGS}")
+
 function(mwt_add_tests floor)
   file(GLOB sources CONFIGURE_DEPENDS ${floor}/*_test.cpp ${floor}/*/*_test.cpp ${floor}/*/*/*_test.cpp)
   if(NOT sources)
@@ -9,6 +14,9 @@ function(mwt_add_tests floor)
   add_executable(${floor}_test ${sources})
   target_link_libraries(${floor}_test PRIVATE ${ARGN} GTest::gtest_main)
   target_compile_definitions(${floor}_test PRIVATE MWT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_options(${floor}_test PRIVATE ${test_flags} ${MWT_PRECOMPILED_HEADER_FLAGS})
+  # Most of what a test's source includes. Nothing else, so that no test compiles without its own includes.
+  target_precompile_headers(${floor}_test PRIVATE <gtest/gtest.h>)
   gtest_discover_tests(${floor}_test TEST_PREFIX ${floor}. TEST_FILTER "-*Slow*" DISCOVERY_TIMEOUT 120
                        PROPERTIES LABELS ${floor} TIMEOUT 600)
   gtest_discover_tests(${floor}_test TEST_PREFIX ${floor}. TEST_FILTER "*Slow*" DISCOVERY_TIMEOUT 120

@@ -105,11 +105,11 @@ void CommandOptions::option(const std::string& name, std::optional<Index>& value
 }
 
 void CommandOptions::positive(const std::string& name, int& value, const std::string& help) {
-  app_.add_option(name, value, help)->capture_default_str()->check(CLI::Range(1, 1 << 20));
+  app_.add_option(name, value, help)->capture_default_str()->check(CLI::Range(1, 1 << 20).description(""));
 }
 
 void CommandOptions::positive(const std::string& name, std::optional<double>& value, const std::string& help) {
-  app_.add_option(name, value, help)->check(CLI::Range(1e-9, 1e9));
+  app_.add_option(name, value, help)->check(CLI::Range(1e-9, 1e9).description(""));
 }
 
 void CommandOptions::repeated(const std::string& name, std::vector<std::string>& values, const std::string& help) {

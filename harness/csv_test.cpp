@@ -4,14 +4,16 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <csignal>
+
 #include "geometry/error.h"
-#include "harness/test_support.h"
+#include "harness/folder_testing.h"
 
 namespace mwt {
 namespace {
 
 using testing::read_text;
-using testing::TemporaryFolder;
+using testing::TestFolder;
 using testing::write_text;
 
 const CsvRow kHeader = {"a", "b"};
@@ -31,7 +33,7 @@ TEST(Csv, ATornLastLineIsLeftOut) {
 }
 
 TEST(CsvFile, KeepsWhatItHadAndRemovesATornLine) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   const std::string path = folder.path("file.csv");
   { CsvFile(path, kHeader).append({"1", "2"}); }
   std::ofstream(path, std::ios::app) << "3,torn";
@@ -44,7 +46,7 @@ TEST(CsvFile, KeepsWhatItHadAndRemovesATornLine) {
 }
 
 TEST(CsvFile, ATornHeaderIsWrittenAgain) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   const std::string path = folder.path("file.csv");
   write_text(path, "a,");
   { CsvFile(path, kHeader).append({"1", "2"}); }
@@ -52,7 +54,7 @@ TEST(CsvFile, ATornHeaderIsWrittenAgain) {
 }
 
 TEST(CsvFile, RefusesOtherColumnsAndChangesNothing) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   const std::string path = folder.path("file.csv");
   write_text(path, "a,c\n1,2\n");
   EXPECT_THROW(CsvFile(path, kHeader), InputError);
@@ -66,7 +68,7 @@ TEST(CsvFile, NeedsAFileItCanWrite) {
 
 // A limit on the file's size stands for a full disk: the write comes back short.
 TEST(CsvFile, ARowThatDoesNotFitIsTakenBack) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   const std::string path = folder.path("file.csv");
   const pid_t child = fork();
   if (child == 0) {

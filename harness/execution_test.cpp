@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/weight.h"
+#include "harness/algorithms_testing.h"
 #include "harness/peak_memory.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {

@@ -7,13 +7,13 @@
 #include <cstdlib>
 #include <limits>
 
-#include "harness/test_support.h"
+#include "harness/folder_testing.h"
 
 namespace mwt {
 namespace {
 
 using testing::read_text;
-using testing::TemporaryFolder;
+using testing::TestFolder;
 using testing::write_text;
 
 const OptimumKey kKey{"0123456789abcdef0123456789abcdef", "exact", 1, "a=1 b=x"};
@@ -32,7 +32,7 @@ class OptimumCacheTest : public ::testing::Test {
     return files.empty() ? "" : files.front();
   }
 
-  TemporaryFolder folder_;
+  TestFolder folder_;
   std::vector<std::string> warnings_;
 };
 

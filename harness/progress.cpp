@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr std::chrono::steady_clock::duration kTerminalInterval = 100ms;
-constexpr std::chrono::steady_clock::duration kPlainInterval = 5s;
+constexpr std::chrono::steady_clock::duration kPlainInterval = 20s;
 constexpr const char* kClearLine = "\r\x1b[K";
 constexpr std::size_t kTerminalWidth = 79;  // a line that wraps could not be rewritten
 

@@ -9,7 +9,7 @@
 namespace mwt {
 
 /// Prints done/total, failures, rate and time left. A terminal's line is rewritten in place; elsewhere a line appears
-/// every few seconds and at the end.
+/// now and then and at the end.
 class Progress {
  public:
   Progress(std::ostream& out, bool is_terminal, std::string title, std::size_t total);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/test_support.h"
+#include "harness/folder_testing.h"
 
 namespace mwt {
 namespace {
@@ -29,7 +29,7 @@ TEST(Text, SplitAndJoinAreInverse) {
 
 TEST(Text, HashesAreSha256) {
   EXPECT_EQ(short_hash("abc"), "ba7816bf8f01cfea");
-  const testing::TemporaryFolder folder;
+  const testing::TestFolder folder;
   testing::write_text(folder.path("file"), "abc");
   EXPECT_EQ(sha256_of_file(folder.path("file")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256_of_file(folder.path("missing")), "");

@@ -12,6 +12,8 @@ if ! cmake --preset "$preset" >"$log" 2>&1; then
   echo "setup: configuring preset $preset failed" >&2
   exit 3
 fi
+options=()
+[ -t 1 ] || options=(-- --quiet)  # a line per file is progress on a terminal, where it is rewritten; elsewhere it is noise
 targets=()
 [ $# -eq 0 ] || targets=(--target "$@")
-cmake --build --preset "$preset" "${targets[@]}"
+cmake --build --preset "$preset" "${targets[@]}" "${options[@]}"

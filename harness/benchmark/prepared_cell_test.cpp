@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/test_support.h"
+#include "harness/algorithms_testing.h"
 
 namespace mwt {
 namespace {

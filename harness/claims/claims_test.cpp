@@ -7,7 +7,7 @@
 
 #include "harness/claims/records_testing.h"
 #include "harness/csv.h"
-#include "harness/test_support.h"
+#include "harness/folder_testing.h"
 #include "harness/text.h"
 
 namespace mwt {
@@ -303,7 +303,7 @@ TEST(Claims, FailedAndRepeatedRunsAreNoEvidence) {
 }
 
 TEST(Claims, AreWrittenWithTheirRowsAndDetails) {
-  const testing::TemporaryFolder folder;
+  const testing::TestFolder folder;
   const MadeUpRecords made_up = searches(6, 0);
   const std::vector<JudgedClaim> judged = judge_claims(made_up.records());
   write_claims(folder.path(""), judged);
@@ -324,7 +324,7 @@ TEST(Claims, AreWrittenWithTheirRowsAndDetails) {
 }
 
 TEST(Claims, ANewReportLeavesNothingOfAnOldOne) {
-  const testing::TemporaryFolder folder;
+  const testing::TestFolder folder;
   const MadeUpRecords made_up = searches(6, 0);
   write_claims(folder.path(""), judge_claims(made_up.records()));
   write_claims(folder.path(""), judge_claims({}));

@@ -1,56 +1,19 @@
 // Runs the program as its users do.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "algorithms/registry.h"
-#include "harness/test_support.h"
+#include "generators/registry.h"
+#include "harness/commands/commands_testing.h"
 
 namespace mwt {
 namespace {
 
-using testing::read_text;
-using testing::TemporaryFolder;
-using testing::write_text;
+using testing::CommandResult;
 
-class Commands : public ::testing::Test {
- protected:
-  struct Result {
-    int exit_code = -1;
-    std::string output;
-    std::string errors;
-  };
-
-  [[nodiscard]] Result mwt(const std::string& arguments) const {
-    const std::string command = "cd " + folder_.path("") + " && MWT_CACHE_DIR=optima " MWT_EXECUTABLE " " + arguments +
-                                " >" + folder_.path(".out") + " 2>" + folder_.path(".err") + " </dev/null";
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), read_text(folder_.path(".out")), read_text(folder_.path(".err"))};
-  }
-
-  // Exit 2 and exactly one line that begins with "mwt: " and has `part` in it.
-  void expect_mistake(const std::string& arguments, const std::string& part) const {
-    const Result result = mwt(arguments);
-    EXPECT_EQ(result.exit_code, 2) << arguments;
-    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-    EXPECT_TRUE(result.errors.starts_with("mwt: ")) << result.errors;
-    EXPECT_NE(result.errors.find(part), std::string::npos) << arguments << ": " << result.errors;
-    EXPECT_EQ(result.output, "") << arguments;
-  }
-
-  void write(const std::string& name, const std::string& text) const { write_text(folder_.path(name), text); }
-  [[nodiscard]] std::string read(const std::string& name) const { return read_text(folder_.path(name)); }
-
-  // An algorithm that takes any points.
-  [[nodiscard]] static std::string some_algorithm() {
-    const auto all = algorithms();
-    return all.empty() ? "none" : all.front().name;
-  }
-
-  TemporaryFolder folder_;
-};
+class Commands : public testing::CommandTest {};
 
 TEST_F(Commands, MistakesOnTheCommandLine) {
   expect_mistake("", "no command");
@@ -68,7 +31,7 @@ TEST_F(Commands, MistakesOnTheCommandLine) {
   expect_mistake("generate clustered --n 5 --param sigma=x -o p.txt", "sigma=x is not a number");
   expect_mistake("generate report_example --n 11 -o p.txt", "10");
   expect_mistake("list cats", "known: algorithms, generators, studies");
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("p.txt")));
+  EXPECT_FALSE(exists("p.txt"));
 }
 
 TEST_F(Commands, UnusablePointFiles) {
@@ -79,8 +42,7 @@ TEST_F(Commands, UnusablePointFiles) {
   write("line.txt", "0 0\n1 1\n2 2\n3 3\n");
   write("equal.txt", "1 1\n1 1\n1 1\n");
   write("empty.txt", "");
-  const std::string with = " --algorithm " + some_algorithm();
-  if (algorithms().empty()) GTEST_SKIP() << "no algorithms yet";
+  const std::string with = " --algorithm delaunay";
   expect_mistake("solve missing.txt" + with, "missing.txt");
   expect_mistake("solve words.txt" + with, "words.txt:2");
   expect_mistake("solve nan.txt" + with, "nan.txt:2");
@@ -97,11 +59,9 @@ TEST_F(Commands, UnknownNamesAndParametersOfAlgorithms) {
   write("points.txt", "0 0\n1 0\n0 1\n");
   expect_mistake("solve points.txt --algorithm nothing", "unknown algorithm 'nothing'");
   expect_mistake("solve points.txt", "--algorithm is required");
-  if (algorithms().empty()) GTEST_SKIP() << "no algorithms yet";
-  expect_mistake("solve points.txt --algorithm " + some_algorithm() + " --param no_such=1",
-                 "unknown parameter 'no_such'");
-  expect_mistake("solve points.txt --algorithm " + some_algorithm() + " --time-limit -1", "--time-limit");
-  expect_mistake("solve points.txt --algorithm " + some_algorithm() + " --threads 0", "--threads");
+  expect_mistake("solve points.txt --algorithm delaunay --param no_such=1", "unknown parameter 'no_such'");
+  expect_mistake("solve points.txt --algorithm delaunay --time-limit -1", "--time-limit");
+  expect_mistake("solve points.txt --algorithm delaunay --threads 0", "--threads");
 }
 
 TEST_F(Commands, NothingIsOverwrittenByAFailure) {
@@ -123,12 +83,12 @@ TEST_F(Commands, MistakesInStudies) {
   expect_mistake("run bad.toml", "bad.toml:5: unknown algorithm 'no'");
   expect_mistake("run missing.toml", "missing.toml");
   expect_mistake("run no_such_study", "report, report_full");
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("results")));
+  EXPECT_FALSE(exists("results"));
 }
 
 TEST_F(Commands, HelpIsNoMistake) {
   EXPECT_EQ(mwt("--help").exit_code, 0);
-  const Result help = mwt("solve --help");
+  const CommandResult help = mwt("solve --help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_NE(help.output.find("--with-optimum"), std::string::npos);
 }
@@ -160,18 +120,17 @@ TEST_F(Commands, CheckSaysWhichRuleBroke) {
   write("words.csv", "0,1,2\n0,x,3\n");
   EXPECT_EQ(mwt("check p.txt good.csv").exit_code, 0);
   EXPECT_EQ(mwt("check p.txt duplicate.csv").exit_code, 0) << "a corner at a duplicate is the point itself";
-  const Result flipped = mwt("check p.txt flipped.csv");
+  const CommandResult flipped = mwt("check p.txt flipped.csv");
   EXPECT_EQ(flipped.exit_code, 1);
   EXPECT_NE(flipped.output.find("strictly_counter_clockwise"), std::string::npos) << flipped.output;
-  const Result range = mwt("check p.txt range.csv");
+  const CommandResult range = mwt("check p.txt range.csv");
   EXPECT_EQ(range.exit_code, 1);
   EXPECT_NE(range.output.find("corner 9"), std::string::npos) << range.output;
   expect_mistake("check p.txt words.csv", "words.csv:2");
 }
 
 TEST_F(Commands, AClosedOrFullStandardOutputIsAMistake) {
-  const std::string command = std::string(MWT_EXECUTABLE) + " list generators >/dev/full 2>" + folder_.path(".err");
-  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
+  EXPECT_EQ(shell(MWT_EXECUTABLE " list generators >/dev/full 2>.err"), 2);
   EXPECT_TRUE(read(".err").starts_with("mwt: standard output")) << read(".err");
 }
 

@@ -6,6 +6,7 @@
 #include "harness/catalogue.h"
 #include "harness/commands/commands.h"
 #include "harness/optimum_cache.h"
+#include "harness/report/failures.h"
 #include "harness/report/final_rating.h"
 #include "harness/report/tables.h"
 #include "harness/study/dry_run.h"
@@ -26,6 +27,7 @@ struct Options {
   std::optional<std::string> instances;
   bool accept_other_build = false;
   bool dry_run = false;
+  bool quiet = false;
 };
 
 // Shards go to folders of their own.
@@ -35,11 +37,14 @@ std::string default_folder(const Study& study, const Shard& shard) {
   return folder;
 }
 
-void print_overview(const std::string& folder) {
-  const std::vector<Cell> cells = cells_of(finally_rated(read_records(folder)));
-  std::cout << '\n'
-            << algorithm_table(cells, Labels(cells)) << "\nrecords: " << folder << "/runs.csv; all tables: mwt report "
-            << folder << '\n';
+// Failures are shown in any case.
+void print_overview(const std::string& folder, bool with_alphas) {
+  const std::vector<RunRecord> runs = finally_rated(read_records(folder));
+  const std::vector<Cell> cells = cells_of(runs);
+  if (with_alphas) std::cout << '\n' << algorithm_table(cells, Labels(cells));
+  const std::string failures = failure_table(runs);
+  if (!failures.empty()) std::cout << '\n' << failures;
+  std::cout << "\nrecords: " << folder << "/runs.csv; all tables: mwt report " << folder << '\n';
 }
 
 int run(const Options& options) {
@@ -57,7 +62,7 @@ int run(const Options& options) {
     return kExitOk;
   }
   const StudyOutcome outcome = run_study(study, Catalogue::built_in(), run_options, std::cout);
-  print_overview(run_options.folder);
+  print_overview(run_options.folder, !options.quiet);
   if (outcome.interrupted) return kExitInterrupted;
   return outcome.contradictions > 0 ? kExitFailure : kExitOk;
 }
@@ -72,6 +77,7 @@ Command run_command() {
     declared.flag("--dry-run", options->dry_run, "only say what would be run, and how long it may take");
     declared.flag("--resume", options->resume, "continue in a folder that has records: run only what is missing");
     declared.positive("--jobs", options->jobs, "runs side by side; more than one disturbs the times");
+    declared.flag("--quiet", options->quiet, "no table of alphas at the end; progress, warnings and failures only");
     declared.flag("--no-cache", options->no_cache, "seek every optimum anew; leave the optimum cache alone");
     declared.option("--shard", options->shard, "i/N: only the i-th of N parts; mwt merge joins them");
     declared.option("--instances", options->instances, "folder of the study's point files, instead of the study's own");

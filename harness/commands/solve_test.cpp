@@ -1,36 +1,25 @@
 // `mwt solve` and `mwt run` from end to end, with the real algorithms.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "harness/commands/commands_testing.h"
 #include "harness/study/results_folder.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {
 
-using testing::read_text;
-using testing::TemporaryFolder;
-using testing::write_text;
-
-class Solve : public ::testing::Test {
+class Solve : public testing::CommandTest {
  protected:
-  [[nodiscard]] int mwt(const std::string& arguments) const {
-    const std::string command = "cd " + folder_.path("") + " && MWT_CACHE_DIR=optima " MWT_EXECUTABLE " " + arguments +
-                                " >" + folder_.path(".out") + " 2>" + folder_.path(".err");
-    return WEXITSTATUS(std::system(command.c_str()));
+  [[nodiscard]] nlohmann::json json_of(const std::string& arguments) const {
+    return nlohmann::json::parse(run(arguments + " --json"));
   }
-  [[nodiscard]] nlohmann::json output() const { return nlohmann::json::parse(read_text(folder_.path(".out"))); }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(Solve, JsonHasExactlyTheDocumentedFields) {
-  write_text(folder_.path("p.txt"), "0 0\n2 0\n2 2\n0 2\n1 1\n2 0\n");
-  ASSERT_EQ(mwt("solve p.txt --algorithm delaunay --json"), 0);
-  const nlohmann::json report = output();
+  write("p.txt", "0 0\n2 0\n2 2\n0 2\n1 1\n2 0\n");
+  const nlohmann::json report = json_of("solve p.txt --algorithm delaunay");
   const std::vector<std::string> fields = {
       "algorithm",     "parameters",    "seed",          "threads",        "n",
       "distinct",      "duplicates",    "hull_size",     "triangles",      "edges",
@@ -54,101 +43,116 @@ TEST_F(Solve, JsonHasExactlyTheDocumentedFields) {
 }
 
 TEST_F(Solve, TheReportsExampleAgainstItsProvedOptimum) {
-  ASSERT_EQ(mwt("generate report_example -o p.txt"), 0);
-  ASSERT_EQ(mwt("solve p.txt --algorithm hull_insertion --with-optimum --json"), 0);
-  const nlohmann::json report = output();
+  run("generate report_example -o p.txt");
+  const nlohmann::json report = json_of("solve p.txt --algorithm hull_insertion --with-optimum");
   EXPECT_EQ(report["optimality"], "proved");
   EXPECT_NEAR(report["optimum_upper"].get<double>(), 70.9585925243, 1e-9);
   EXPECT_NEAR(report["alpha_lower"].get<double>(), 1.21965, 1e-5);
 }
 
 TEST_F(Solve, TheOptimumIsSoughtOnceAndThenCached) {
-  ASSERT_EQ(mwt("generate uniform --n 50 -o p.txt"), 0);
-  const std::string command = "solve p.txt --algorithm greedy --with-optimum --json";
-  ASSERT_EQ(mwt(command + " --no-cache"), 0);
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("optima")));
-  ASSERT_EQ(mwt(command), 0);
-  const nlohmann::json first = output();
-  ASSERT_EQ(mwt(command), 0);
-  const nlohmann::json second = output();
+  run("generate uniform --n 50 -o p.txt");
+  const std::string command = "solve p.txt --algorithm greedy --with-optimum";
+  run(command + " --no-cache");
+  EXPECT_FALSE(exists("optima"));
+  const nlohmann::json first = json_of(command);
+  const nlohmann::json second = json_of(command);
   EXPECT_FALSE(first["optimum_cached"]);
   EXPECT_TRUE(second["optimum_cached"]);
   EXPECT_EQ(second["optimality"], "proved");
   for (const char* field : {"optimum_lower", "optimum_upper", "alpha_lower", "alpha_upper"})
     EXPECT_EQ(second[field], first[field]) << field;
-  ASSERT_EQ(mwt(command + " --no-cache"), 0);
-  EXPECT_FALSE(output()["optimum_cached"]);
+  EXPECT_FALSE(json_of(command + " --no-cache")["optimum_cached"]);
 }
 
 TEST_F(Solve, AnOptimumThatTheAlgorithmProvedIsNotSoughtAgain) {
-  ASSERT_EQ(mwt("generate uniform --n 50 -o p.txt"), 0);
-  ASSERT_EQ(mwt("solve p.txt --algorithm triangle_lp --with-optimum --json"), 0);
-  EXPECT_EQ(output()["optimality"], "proved");
-  EXPECT_FALSE(output()["optimum_cached"]);
-  for (const auto& entry : std::filesystem::directory_iterator(folder_.path("optima"))) {
+  run("generate uniform --n 50 -o p.txt");
+  const nlohmann::json proved = json_of("solve p.txt --algorithm triangle_lp --with-optimum");
+  EXPECT_EQ(proved["optimality"], "proved");
+  EXPECT_FALSE(proved["optimum_cached"]);
+  for (const auto& entry : std::filesystem::directory_iterator(path("optima"))) {
     EXPECT_NE(entry.path().string().find("-triangle_lp-"), std::string::npos) << "no other solver was asked";
   }
-  ASSERT_EQ(mwt("solve p.txt --algorithm delaunay --with-optimum --json"), 0);
-  EXPECT_TRUE(output()["optimum_cached"]) << "and now it is known";
+  EXPECT_TRUE(json_of("solve p.txt --algorithm delaunay --with-optimum")["optimum_cached"]) << "and now it is known";
 }
 
 TEST_F(Solve, AnUnusableCacheIsAWarningOnly) {
-  write_text(folder_.path("optima"), "a file where the folder should be");
-  write_text(folder_.path("p.txt"), "0 0\n2 0\n2 2\n0 2\n1 1\n");
-  ASSERT_EQ(mwt("solve p.txt --algorithm delaunay --with-optimum --json"), 0);
-  EXPECT_EQ(output()["optimality"], "proved");
-  const std::string errors = read_text(folder_.path(".err"));
+  write("optima", "a file where the folder should be");
+  write("p.txt", "0 0\n2 0\n2 2\n0 2\n1 1\n");
+  const testing::CommandResult result = mwt("solve p.txt --algorithm delaunay --with-optimum --json");
+  ASSERT_EQ(result.exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(result.output)["optimality"], "proved");
+  const std::string& errors = result.errors;
   EXPECT_TRUE(errors.starts_with("mwt: warning: optima are not cached: ")) << errors;
   EXPECT_EQ(std::count(errors.begin(), errors.end(), '\n'), 1) << errors;
 }
 
 TEST_F(Solve, WritesTrianglesEdgesAndAPicture) {
-  write_text(folder_.path("p.txt"), "0 0\n0 0\n2 0\n2 2\n0 2\n1 1\n");
-  ASSERT_EQ(mwt("solve p.txt --algorithm delaunay --triangles t.csv --edges e.csv --svg t.svg"), 0);
-  EXPECT_EQ(mwt("check p.txt t.csv"), 0) << "corners refer to the input, duplicates counted";
-  EXPECT_NE(read_text(folder_.path("e.csv")).find("0,2"), std::string::npos);
-  EXPECT_NE(read_text(folder_.path("t.svg")).find("<svg"), std::string::npos);
+  write("p.txt", "0 0\n0 0\n2 0\n2 2\n0 2\n1 1\n");
+  run("solve p.txt --algorithm delaunay --triangles t.csv --edges e.csv --svg t.svg");
+  EXPECT_EQ(mwt("check p.txt t.csv").exit_code, 0) << "corners refer to the input, duplicates counted";
+  EXPECT_NE(read("e.csv").find("0,2"), std::string::npos);
+  EXPECT_NE(read("t.svg").find("<svg"), std::string::npos);
 }
 
 TEST_F(Solve, StartsFromAGivenTriangulation) {
-  write_text(folder_.path("p.txt"), "0 0\n4 0\n5 1\n0 1\n");
-  write_text(folder_.path("start.csv"), "0,1,2\n0,2,3\n");
-  write_text(folder_.path("broken.csv"), "0,1,2\n");
-  ASSERT_EQ(mwt("solve p.txt --algorithm flip_report --param start=start.csv --json"), 0);
-  EXPECT_EQ(output()["parameters"]["start"], "start.csv");
-  EXPECT_EQ(mwt("solve p.txt --algorithm flip_report --param start=broken.csv"), 2);
-  EXPECT_NE(read_text(folder_.path(".err")).find("broken.csv: not a triangulation"), std::string::npos);
-  EXPECT_EQ(mwt("solve p.txt --algorithm flip_report --param start=missing.csv"), 2);
+  write("p.txt", "0 0\n4 0\n5 1\n0 1\n");
+  write("start.csv", "0,1,2\n0,2,3\n");
+  write("broken.csv", "0,1,2\n");
+  const std::string flip = "solve p.txt --algorithm flip_report --param start=";
+  EXPECT_EQ(json_of(flip + "start.csv")["parameters"]["start"], "start.csv");
+  expect_mistake(flip + "broken.csv", "broken.csv: not a triangulation");
+  expect_mistake(flip + "missing.csv", "missing.csv");
 }
 
 TEST_F(Solve, AnInstanceTheAlgorithmDoesNotTakeIsAMistake) {
-  ASSERT_EQ(mwt("generate uniform --n 60 -o p.txt"), 0);
-  EXPECT_EQ(mwt("solve p.txt --algorithm brute_force"), 2);
-  EXPECT_TRUE(read_text(folder_.path(".err")).starts_with("mwt: ")) << read_text(folder_.path(".err"));
+  run("generate uniform --n 60 -o p.txt");
+  expect_mistake("solve p.txt --algorithm brute_force", "brute_force");
 }
 
 TEST_F(Solve, AStudyRunsAndResumes) {
-  write_text(folder_.path("tiny.toml"), R"(name = "tiny"
+  write("tiny.toml", R"(name = "tiny"
 summary = "two algorithms on two families"
 families = ["uniform", "grid"]
 sizes = [8]
 algorithms = ["delaunay", "greedy_report"]
 min_time_s = 0.001
 )");
-  ASSERT_EQ(mwt("run tiny.toml"), 0) << read_text(folder_.path(".err"));
-  EXPECT_NE(read_text(folder_.path(".out")).find("alpha by algorithm"), std::string::npos);
-  const std::vector<RunRecord> runs = read_runs(folder_.path("results/tiny"));
+  EXPECT_NE(run("run tiny.toml").find("alpha by algorithm"), std::string::npos);
+  const std::vector<RunRecord> runs = read_runs(path("results/tiny"));
   ASSERT_EQ(runs.size(), 4u);
   for (const RunRecord& run : runs) EXPECT_EQ(run.optimality, "proved") << run.algorithm << ' ' << run.generator;
-  EXPECT_EQ(mwt("run tiny.toml"), 2);
-  EXPECT_NE(read_text(folder_.path(".err")).find("--resume"), std::string::npos);
-  EXPECT_EQ(mwt("run tiny.toml --resume --jobs 2"), 0);
-  EXPECT_EQ(read_runs(folder_.path("results/tiny")).size(), 4u);
-  ASSERT_EQ(mwt("run tiny.toml --out again"), 0);
-  const std::string instances = read_text(folder_.path("again/instances.csv"));
+  expect_mistake("run tiny.toml", "--resume");
+  EXPECT_EQ(run("run tiny.toml --resume --jobs 2 --quiet").find("alpha by algorithm"), std::string::npos);
+  EXPECT_EQ(read_runs(path("results/tiny")).size(), 4u);
+  run("run tiny.toml --out again");
+  const std::string instances = read("again/instances.csv");
   EXPECT_NE(instances.find(",cached\n"), std::string::npos) << instances;
-  ASSERT_EQ(mwt("run tiny.toml --out anew --no-cache"), 0);
-  EXPECT_EQ(read_text(folder_.path("anew/instances.csv")).find("cached"), std::string::npos);
+  run("run tiny.toml --out anew --no-cache");
+  EXPECT_EQ(read("anew/instances.csv").find("cached"), std::string::npos);
+}
+
+TEST_F(Solve, AFailedRunIsShownEvenWhenQuiet) {
+  write("start.csv", "0,1,2\n");
+  write("broken.toml", R"(name = "broken"
+summary = "begins with what is no triangulation"
+families = ["uniform"]
+sizes = [8]
+algorithms = [{ name = "flip_report", parameters = { start = "start.csv" } }]
+)");
+  const std::string output = run("run broken.toml --quiet");
+  EXPECT_NE(output.find("\nflip_report  error     1  uniform n=8 seed=1  no start: "), std::string::npos) << output;
+}
+
+TEST_F(Solve, AReportsTablesGoToAFileWhenAsked) {
+  write("tiny.toml",
+        "name = \"tiny\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [8]\n"
+        "algorithms = [\"delaunay\"]\nmin_time_s = 0.001\n");
+  run("run tiny.toml --out records");
+  const std::string everything = run("report records");
+  const std::string verdicts = run("report records --tables tables.txt");
+  EXPECT_TRUE(verdicts.starts_with("written: tables.txt\n")) << verdicts;
+  EXPECT_EQ(read("tables.txt") + verdicts.substr(verdicts.find('\n') + 1), everything);
 }
 
 }  // namespace

@@ -1,50 +1,23 @@
 // Runs `mwt compare`, `mwt track` and `mwt history` as their users do.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "harness/commands/commands_testing.h"
 #include "harness/csv.h"
-#include "harness/test_support.h"
 #include "harness/tracking/synthetic_nights_testing.h"
 
 namespace mwt {
 namespace {
 
-using testing::read_text;
-using testing::TemporaryFolder;
-using testing::write_text;
+using testing::CommandResult;
 
-class TrackingCommands : public ::testing::Test {
+class TrackingCommands : public testing::CommandTest {
  protected:
-  struct Result {
-    int exit_code = -1;
-    std::string output;
-    std::string errors;
-  };
-
-  [[nodiscard]] Result mwt(const std::string& arguments) const {
-    const std::string command = "cd " + folder_.path("") + " && " MWT_EXECUTABLE " " + arguments + " >" +
-                                folder_.path(".out") + " 2>" + folder_.path(".err") + " </dev/null";
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), read_text(folder_.path(".out")), read_text(folder_.path(".err"))};
-  }
-
-  void expect_mistake(const std::string& arguments, const std::string& part) const {
-    const Result result = mwt(arguments);
-    EXPECT_EQ(result.exit_code, 2) << arguments;
-    EXPECT_EQ(std::count(result.errors.begin(), result.errors.end(), '\n'), 1) << result.errors;
-    EXPECT_NE(result.errors.find(part), std::string::npos) << arguments << ": " << result.errors;
-    EXPECT_EQ(result.output, "") << arguments;
-  }
-
   void write_night(int night, const testing::Tamper& tamper = {}) const {
-    testing::write_synthetic_night(folder_.path("n" + std::to_string(night)),
-                                   testing::synthetic_runs({}, night, 1, tamper));
+    testing::write_synthetic_night(path("n" + std::to_string(night)), testing::synthetic_runs({}, night, 1, tamper));
   }
-
-  TemporaryFolder folder_;
 };
 
 void heavier_flip(int night, RunRecord& run, RandomEngine&) {
@@ -54,10 +27,10 @@ void heavier_flip(int night, RunRecord& run, RandomEngine&) {
 TEST_F(TrackingCommands, CompareExitsWithOneOnARegression) {
   write_night(0);
   write_night(1, heavier_flip);
-  const Result worse = mwt("compare n0 n1");
+  const CommandResult worse = mwt("compare n0 n1");
   EXPECT_EQ(worse.exit_code, 1) << worse.errors;
   EXPECT_TRUE(worse.output.starts_with("8 regressions (flip on clustered n=100 seed=1: ")) << worse.output;
-  const Result better = mwt("compare n1 n0");
+  const CommandResult better = mwt("compare n1 n0");
   EXPECT_EQ(better.exit_code, 0);
   EXPECT_TRUE(better.output.starts_with("0 regressions, 8 improvements")) << better.output;
   const auto json = nlohmann::json::parse(mwt("compare n0 n1 --json").output);
@@ -79,13 +52,13 @@ TEST_F(TrackingCommands, MistakesOfCompare) {
 }
 
 TEST_F(TrackingCommands, TwoBuildsAreRunInTurn) {
-  write_text(
-      folder_.path("s.toml"),
+  write(
+      "s.toml",
       "name = \"s\"\nsummary = \"x\"\nfamilies = [{ name = \"clustered\", parameters = { clusters = 3 } }]\n"
       "sizes = [20]\nalgorithms = [\"delaunay\", { name = \"flip\", parameters = { start = \"sweep\" } }, \"sweep\"]\n"
       "min_time_s = 0.0001\n");
   const std::string builds = std::string("compare --build-a " MWT_EXECUTABLE " --build-b ") + MWT_EXECUTABLE;
-  const Result result =
+  const CommandResult result =
       mwt(builds + " --study s.toml --out ab --repetitions 3 --algorithm flip --algorithm sweep --json");
   ASSERT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
@@ -105,13 +78,13 @@ TEST_F(TrackingCommands, WhatLooksSlowerIsConfirmedByBothBuilds) {
   write_night(1, [](int, RunRecord& run, RandomEngine&) {
     if (run.algorithm == "flip") *run.wall_time_s *= 3;
   });
-  write_text(folder_.path("s.toml"),
-             "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"*\"]\n"
-             "min_time_s = 0.0001\n");
+  write("s.toml",
+        "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"*\"]\n"
+        "min_time_s = 0.0001\n");
   EXPECT_EQ(mwt("compare n0 n1").exit_code, 1);
   const std::string builds =
       " --build-a " MWT_EXECUTABLE " --build-b " MWT_EXECUTABLE " --study s.toml --repetitions 2";
-  const Result result = mwt("compare n0 n1 --json --out ab" + builds);
+  const CommandResult result = mwt("compare n0 n1 --json --out ab" + builds);
   EXPECT_EQ(result.exit_code, 0) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
   EXPECT_EQ(json["regression"], false);
@@ -119,12 +92,12 @@ TEST_F(TrackingCommands, WhatLooksSlowerIsConfirmedByBothBuilds) {
   EXPECT_EQ(json["confirmed"]["compared_cells"], 1);
   EXPECT_EQ(json["confirmed"]["cells"][0]["algorithm"], "flip order=stack start=delaunay trace=off");
   EXPECT_EQ(mwt("compare n0 n0 --out other" + builds).exit_code, 0);
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("other"))) << "nothing to confirm";
+  EXPECT_FALSE(exists("other")) << "nothing to confirm";
 }
 
 TEST_F(TrackingCommands, ABuildThatFailsIsNamed) {
-  write_text(folder_.path("s.toml"),
-             "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"delaunay\"]\n");
+  write("s.toml",
+        "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"delaunay\"]\n");
   expect_mistake("compare --build-a /bin/false --build-b /bin/false --study s.toml --out ab",
                  "/bin/false: exit code 1");
 }
@@ -133,20 +106,20 @@ TEST_F(TrackingCommands, TrackIsIdempotentAndExportsEverything) {
   write_night(0);
   write_night(1);
   EXPECT_NE(mwt("track n1 n0").output.find("values added"), std::string::npos);
-  const Result again = mwt("track n1");
+  const CommandResult again = mwt("track n1");
   EXPECT_EQ(again.exit_code, 0) << again.errors;
   EXPECT_NE(again.output.find("values known already"), std::string::npos) << again.output;
-  EXPECT_TRUE(std::filesystem::exists(folder_.path("results/history.sqlite")));
+  EXPECT_TRUE(exists("results/history.sqlite"));
 
   EXPECT_EQ(mwt("history changes").output, "nothing has changed for good; nights in the history: 2\n");
-  const Result exported = mwt("history export --csv");
+  const CommandResult exported = mwt("history export --csv");
   const std::vector<CsvRow> rows = parse_csv(exported.output);
   const std::size_t cells = 6 * 2 * 2 * 2, measures = 7;
   ASSERT_EQ(rows.size(), 1 + 2 * cells * measures);
   EXPECT_EQ(rows[1][2], testing::synthetic_commit(0));
   EXPECT_EQ(rows.back()[2], testing::synthetic_commit(1));
   EXPECT_EQ(mwt("history export --csv -o all.csv").output, "");
-  EXPECT_EQ(read_text(folder_.path("all.csv")), exported.output);
+  EXPECT_EQ(read("all.csv"), exported.output);
 }
 
 TEST_F(TrackingCommands, HistoryTellsWhatChanged) {
@@ -173,10 +146,10 @@ TEST_F(TrackingCommands, HistoryTellsWhatChanged) {
 TEST_F(TrackingCommands, MistakesOfTrackAndHistory) {
   expect_mistake("track", "dir is required");
   expect_mistake("track missing", "missing/runs.csv");
-  expect_mistake("history changes", "results/history.sqlite");
+  expect_mistake("history changes", "results/history.sqlite: there is no history here; mwt track FOLDER");
   expect_mistake("history forget", "known: export, changes, series");
   expect_mistake("history export", "--csv");
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("results")));
+  EXPECT_FALSE(exists("results"));
 }
 
 }  // namespace

@@ -8,15 +8,15 @@
 
 #include "geometry/delaunay.h"
 #include "geometry/error.h"
+#include "harness/folder_testing.h"
 #include "harness/hunt/moves.h"
 #include "harness/hunt/state_file.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {
 
 using testing::read_text;
-using testing::TemporaryFolder;
+using testing::TestFolder;
 using testing::write_text;
 
 HuntPlan plan_for(const std::string& algorithm, Index n, int climbers = 1) {
@@ -60,7 +60,7 @@ TEST(AlphaOracle, an_invalid_triangulation_is_no_find_but_a_failure) {
   HuntPlan plan = plan_for("delaunay", 5);
   plan.request.algorithm = &broken;
   EXPECT_THROW((void)AlphaOracle(plan.request, *plan.solver).rate({{0, 0}, {4, 0}, {0, 4}, {1, 1}}), std::logic_error);
-  TemporaryFolder folder;
+  TestFolder folder;
   EXPECT_THROW((void)run(plan, 100, folder.path("state")), std::logic_error);
 }
 
@@ -84,7 +84,7 @@ TEST(Hunt, moves_do_not_let_coordinates_drift) {
 }
 
 TEST(Hunt, finds_bad_inputs_and_repeats_itself) {
-  TemporaryFolder folder;
+  TestFolder folder;
   const HuntResult result = run(plan_for("greedy", 8), 2000, folder.path("a"));
   EXPECT_GT(result.worst.alpha, 1.05);
   EXPECT_EQ(result.evaluations, 2000U);
@@ -97,7 +97,7 @@ TEST(Hunt, finds_bad_inputs_and_repeats_itself) {
 }
 
 TEST(Hunt, resumed_it_ends_where_it_would_have_ended) {
-  TemporaryFolder folder;
+  TestFolder folder;
   const HuntPlan plan = plan_for("flip", 7, 2);
   (void)run(plan, 300, folder.path("parts"));
   const HuntResult resumed = run(plan, 700, folder.path("parts"));
@@ -108,7 +108,7 @@ TEST(Hunt, resumed_it_ends_where_it_would_have_ended) {
 }
 
 TEST(Hunt, states_of_other_hunts_and_damaged_ones_are_refused) {
-  TemporaryFolder folder;
+  TestFolder folder;
   const std::string path = folder.path("state");
   (void)run(plan_for("greedy", 6), 20, path);
   EXPECT_THROW((void)run(plan_for("greedy", 7), 20, path), InputError);
@@ -122,7 +122,7 @@ TEST(Hunt, states_of_other_hunts_and_damaged_ones_are_refused) {
 }
 
 TEST(Hunt, states_survive_the_file_exactly) {
-  TemporaryFolder folder;
+  TestFolder folder;
   ClimberState state;
   state.evaluations = 12345;
   state.last_progress = 12000;
@@ -149,7 +149,7 @@ TEST(HuntSlow, beats_the_worst_of_10000_random_instances) {
     const std::optional<Interval> alpha = oracle.rate(random_start(10, engine));
     if (alpha) worst = std::max(worst, alpha->upper);
   }
-  TemporaryFolder folder;
+  TestFolder folder;
   const HuntResult result = run(plan, 10'000, folder.path("state"));
   RecordProperty("worst_of_random", std::to_string(worst));
   RecordProperty("hunted", std::to_string(result.worst.alpha));

@@ -5,6 +5,7 @@
 #include "geometry/error.h"
 #include "geometry/output_file.h"
 #include "harness/claims/claims.h"
+#include "harness/report/failures.h"
 #include "harness/report/final_rating.h"
 #include "harness/report/growth_laws.h"
 #include "harness/report/summary_files.h"
@@ -44,6 +45,11 @@ void write_exponents(const ReportData& data, std::ostream& out) {
   write(data, "exponents.csv", exponents_csv(data.records.runs.front().study, data.growth), out);
 }
 
+void print_failures(const ReportData& data, std::ostream& out) {
+  const std::string table = failure_table(data.records.runs);
+  if (!table.empty()) out << table << '\n';
+}
+
 void judge_source_report(const ReportData& data, std::ostream& out) {
   const std::vector<JudgedClaim> judged = judge_claims(data.records);
   write_claims(data.folder, judged);
@@ -63,9 +69,10 @@ ReportData read_report_data(const std::string& folder) {
   return {folder, std::move(records), std::move(cells), std::move(summaries), std::move(growth), std::move(labels)};
 }
 
-std::vector<ReportPart> report_parts() {
-  return {print_cells,   print_growth,    print_growth_laws,  print_algorithms,
-          write_summary, write_exponents, judge_source_report};
+std::vector<ReportPart> report_tables() {
+  return {print_cells, print_growth, print_growth_laws, print_algorithms, print_failures};
 }
+
+std::vector<ReportPart> report_results() { return {write_summary, write_exponents, judge_source_report}; }
 
 }  // namespace mwt

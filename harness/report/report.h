@@ -27,10 +27,13 @@ struct ReportData {
 [[nodiscard]] ReportData read_report_data(const std::string& folder);
 
 /// One part of a report: prints to `out`, or writes files in the folder and says so. To add one: its function, and its
-/// line in report_parts().
+/// line in report_tables() or report_results().
 using ReportPart = std::function<void(const ReportData& data, std::ostream& out)>;
 
-/// In the order in which a reader wants them.
-[[nodiscard]] std::vector<ReportPart> report_parts();
+/// All numbers as tables, pages of them; in the order in which a reader wants them.
+[[nodiscard]] std::vector<ReportPart> report_tables();
+
+/// What follows from the numbers, a page at most: files for programs, verdicts.
+[[nodiscard]] std::vector<ReportPart> report_results();
 
 }  // namespace mwt

@@ -6,10 +6,11 @@
 #include <sstream>
 
 #include "geometry/error.h"
+#include "harness/folder_testing.h"
+#include "harness/report/failures.h"
 #include "harness/report/final_rating.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {
@@ -228,20 +229,40 @@ TEST(SummaryFiles, RowsHaveTheValues) {
 }
 
 TEST(Report, EveryPartWorksOnAStudysFolder) {
-  const testing::TemporaryFolder folder;
+  const testing::TestFolder folder;
   StudyRecords records;
   records.runs = power_law_runs();
   write_records(folder.path("out"), records);
   const ReportData data = read_report_data(folder.path("out"));
-  std::ostringstream out;
-  for (const ReportPart& part : report_parts()) part(data, out);
-  EXPECT_NE(out.str().find("growth with n"), std::string::npos);
+  std::ostringstream tables, results;
+  for (const ReportPart& part : report_tables()) part(data, tables);
+  for (const ReportPart& part : report_results()) part(data, results);
+  EXPECT_NE(tables.str().find("growth with n"), std::string::npos);
+  EXPECT_NE(results.str().find("the source report's claims"), std::string::npos);
   EXPECT_EQ(parse_csv(testing::read_text(folder.path("out/summary.csv"))).size(), 7u);
   EXPECT_EQ(parse_csv(testing::read_text(folder.path("out/exponents.csv"))).size(), 3u);
 }
 
+TEST(Report, ManyFailuresAreFewLines) {
+  std::vector<RunRecord> runs = power_law_runs();
+  EXPECT_EQ(failure_table(runs), "");
+  for (Index n : {30U, 20U}) {
+    runs.push_back(failed_run("sweep", RunStatus::timeout));
+    runs.back().n = n;
+    runs.back().message = "too slow";
+  }
+  runs.push_back(failed_run("sweep", RunStatus::crashed));
+  runs.push_back(failed_run("delaunay", RunStatus::timeout));
+  runs.push_back(failed_run("flip", RunStatus::not_applicable));
+  EXPECT_EQ(failure_table(runs),
+            "failed    how      runs  first on             message\n"
+            "delaunay  timeout     1  uniform n=10 seed=0\n"
+            "sweep     timeout     2  uniform n=30 seed=0  too slow\n"
+            "sweep     crashed     1  uniform n=10 seed=0\n");
+}
+
 TEST(Report, WithoutRecordsItIsAMistake) {
-  const testing::TemporaryFolder folder;
+  const testing::TestFolder folder;
   EXPECT_THROW(static_cast<void>(read_report_data(folder.path("missing"))), InputError);
   write_records(folder.path("empty"), {});
   EXPECT_THROW(static_cast<void>(read_report_data(folder.path("empty"))), InputError);

@@ -6,13 +6,14 @@
 #include <sstream>
 
 #include "geometry/error.h"
+#include "harness/algorithms_testing.h"
+#include "harness/folder_testing.h"
 #include "harness/study/estimate.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {
 
-using testing::TemporaryFolder;
+using testing::TestFolder;
 
 Study small_study() {
   Study study;
@@ -30,7 +31,7 @@ Study small_study() {
 }
 
 TEST(DryRun, SaysWhatWouldBeDoneAndDoesNothing) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   std::ostringstream out;
   RunOptions options;
   options.folder = folder.path("out");

@@ -6,14 +6,14 @@
 #include <array>
 #include <random>
 
+#include "harness/folder_testing.h"
 #include "harness/study/records_testing.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {
 
 using testing::lasting;
-using testing::TemporaryFolder;
+using testing::TestFolder;
 
 constexpr int kKills = 50;
 
@@ -58,7 +58,7 @@ sources = ["polygon_dp", "exact"]
     return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
   }
 
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 TEST_F(KillSlow, FiftyTimesAtRandomMomentsLosesAndDoublesNothing) {

@@ -5,16 +5,17 @@
 #include <sstream>
 
 #include "geometry/error.h"
+#include "harness/algorithms_testing.h"
+#include "harness/folder_testing.h"
 #include "harness/study/records_testing.h"
 #include "harness/study/run_study.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {
 
 using testing::lasting;
 using testing::read_text;
-using testing::TemporaryFolder;
+using testing::TestFolder;
 using testing::write_text;
 
 constexpr const char* kStudy = R"(name = "s"
@@ -62,7 +63,7 @@ class Merge : public ::testing::Test {
     EXPECT_FALSE(std::filesystem::exists(folder_.path("merged/runs.csv")));
   }
 
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 TEST_F(Merge, FourShardsEqualTheSingleRun) {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/test_support.h"
-
 namespace mwt {
 namespace {
 

@@ -7,7 +7,8 @@
 #include <set>
 
 #include "geometry/error.h"
-#include "harness/test_support.h"
+#include "harness/algorithms_testing.h"
+#include "harness/folder_testing.h"
 
 namespace mwt {
 namespace {
@@ -115,7 +116,7 @@ TEST(Plan, AlgorithmsComeInAnOrderThatVaries) {
 }
 
 TEST(Plan, FilesAreInstancesToo) {
-  const testing::TemporaryFolder folder;
+  const testing::TestFolder folder;
   testing::write_text(folder.path("a.txt"), "0 0\n1 0\n0 1\n0 1\n");
   testing::write_text(folder.path("b.txt"), "0 0\n1 0\n0 1\n");
   testing::write_text(folder.path("c.txt"), "0 0\nx y\n");

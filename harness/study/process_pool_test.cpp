@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "harness/test_support.h"
+#include "harness/algorithms_testing.h"
 
 namespace mwt {
 namespace {
@@ -48,7 +48,7 @@ TEST(ProcessPool, ACrashIsToldBySignal) {
 
 TEST(ProcessPool, AnEndWithoutResultIsACrashWithItsLastWords) {
   const ProcessResult result = run([]() -> std::string {
-    std::fputs((std::string(5000, '.') + "last words\n").c_str(), stderr);
+    std::fputs(std::string(5000, '.').append("last words\n").c_str(), stderr);
     std::fflush(stderr);
     _exit(0);
   });

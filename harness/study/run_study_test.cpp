@@ -7,15 +7,16 @@
 #include <sstream>
 
 #include "geometry/error.h"
+#include "harness/algorithms_testing.h"
+#include "harness/folder_testing.h"
 #include "harness/optimum_cache.h"
 #include "harness/study/results_folder.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {
 
 using testing::read_text;
-using testing::TemporaryFolder;
+using testing::TestFolder;
 using testing::write_text;
 
 Study study_of(const std::vector<std::string>& algorithms, const std::string& family = "uniform") {
@@ -44,7 +45,7 @@ std::map<std::string, RunRecord> by_algorithm(const std::string& folder) {
 }
 
 TEST(RunStudy, EveryMisbehaviourIsOneRow) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   const StudyOutcome outcome = run(study_of({"crashes", "well", "leaves", "hangs", "allocates", "invalid", "throws",
                                              "declines", "chats", "small", "claims", "loops", "well"}),
                                    folder.path("out"), false, 2);
@@ -71,7 +72,7 @@ TEST(RunStudy, EveryMisbehaviourIsOneRow) {
 }
 
 TEST(RunStudy, RowsOfGoodRunsAreComplete) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   run(study_of({"well"}), folder.path("out"));
   const RunRecord record = by_algorithm(folder.path("out")).at("well");
   EXPECT_EQ(record.checker, "ok");
@@ -87,7 +88,7 @@ TEST(RunStudy, RowsOfGoodRunsAreComplete) {
 }
 
 TEST(RunStudy, TheYardstickIsMeasuredWhereAStudyAsksForIt) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   Study study = study_of({"well", "throws"});
   run(study, folder.path("without"));
   EXPECT_FALSE(by_algorithm(folder.path("without")).at("well").yardstick_time_s);
@@ -98,7 +99,7 @@ TEST(RunStudy, TheYardstickIsMeasuredWhereAStudyAsksForIt) {
 }
 
 TEST(RunStudy, AShardMayBeEmpty) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   std::ostringstream out;
   RunOptions options{folder.path("out")};
   options.shard = {3, 3};
@@ -107,7 +108,7 @@ TEST(RunStudy, AShardMayBeEmpty) {
 }
 
 TEST(RunStudy, AlphaComesFromTheOptimumSources) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   Study study = study_of({"well"}, "fan");
   study.seeks_optimum = true;
   study.optimum_sources = {{"weak_bound", {}, ""}, {"fan_exact", {}, ""}};
@@ -121,7 +122,7 @@ TEST(RunStudy, AlphaComesFromTheOptimumSources) {
 }
 
 TEST(RunStudy, BoundsThatProveNothingStillGiveAlpha) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   Study study = study_of({"well"});
   study.seeks_optimum = true;
   study.optimum_sources = {{"weak_bound", {}, ""}};
@@ -140,7 +141,7 @@ Solution solve_fan_and_tell(Points points, Context& context) {
 }
 
 TEST(RunStudy, AnotherStudySearchesNoOptimumAgain) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   call_log = folder.path("calls");
   const std::vector<AlgorithmInfo> algorithms = {testing::entry("well", testing::solve_well),
                                                  testing::entry("telling", solve_fan_and_tell, Exactness::exact)};
@@ -161,7 +162,7 @@ TEST(RunStudy, AnotherStudySearchesNoOptimumAgain) {
 }
 
 TEST(RunStudy, OptimaThatRunsProveAreRemembered) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   Study study = study_of({"fan_exact", "weak_bound", "well"}, "fan");
   const auto run_into = [&](const std::string& name) {
     std::ostringstream out;
@@ -176,7 +177,7 @@ TEST(RunStudy, OptimaThatRunsProveAreRemembered) {
 }
 
 TEST(RunStudy, RefusesToContinueWhatAnotherBuildBegan) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   const Study study = study_of({"well", "chats"});
   run(study, folder.path("out"));
   StudyRecords records = read_records(folder.path("out"));
@@ -194,7 +195,7 @@ TEST(RunStudy, RefusesToContinueWhatAnotherBuildBegan) {
 
 // An entry that passes every check and is wrong all the same: an earlier version of a solver erred.
 TEST(RunStudy, ACachedOptimumThatExcludesAFreshOneIsReported) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   Study study = study_of({"well", "fan_exact"}, "fan");
   study.seeks_optimum = true;
   study.optimum_sources = {{"fan_exact", {}, ""}};
@@ -223,7 +224,7 @@ std::vector<std::string> essence(const std::string& folder) {
 }
 
 TEST(RunStudy, ResumingRunsExactlyWhatIsMissing) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   Study study = study_of({"well", "throws", "chats"});
   study.seeds = {1, 2, 3};
   run(study, folder.path("out"));
@@ -249,7 +250,7 @@ Solution interrupt_once(Points points, Context& context) {
 }
 
 TEST(RunStudy, CtrlCEndsItCleanlyAndResumeRunsTheRest) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   interrupt_log = folder.path("log");
   const std::vector<AlgorithmInfo> algorithms = {testing::entry("well", testing::solve_well),
                                                  testing::entry("interrupts", interrupt_once)};
@@ -268,12 +269,12 @@ TEST(RunStudy, CtrlCEndsItCleanlyAndResumeRunsTheRest) {
 }
 
 TEST(RunStudy, ResumingOnNothingBegins) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   EXPECT_EQ(run(study_of({"well"}), folder.path("a/b"), true).runs, 1u);
 }
 
 TEST(RunStudy, RefusesAFolderInUseOrOfAnotherStudy) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   Study study = study_of({"well"});
   run(study, folder.path("out"));
   const std::string before = read_text(folder.path("out/runs.csv"));
@@ -292,7 +293,7 @@ TEST(RunStudy, RefusesAFolderInUseOrOfAnotherStudy) {
 }
 
 TEST(RunStudy, WrongSourcesAreRefusedBeforeTheFolderIsMade) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   Study study = study_of({"well"});
   study.optimum_sources = {{"well", {}, "s.toml:9"}};
   EXPECT_THROW(run(study, folder.path("out")), InputError);

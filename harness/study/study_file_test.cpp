@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/error.h"
+#include "harness/folder_testing.h"
 #include "harness/study/study.h"
-#include "harness/test_support.h"
 
 namespace mwt {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 const std::string kMinimal = "name = \"s\"\nsummary = \"t\"\nfamilies = [\"*\"]\nalgorithms = [\"*\"]\n";
 
 Study read(const std::string& text) {
-  const testing::TemporaryFolder folder;
+  const testing::TestFolder folder;
   testing::write_text(folder.path("s.toml"), text);
   return read_study(folder.path("s.toml"));
 }
@@ -102,7 +102,7 @@ TEST(StudyFile, MistakesNameLineAndKey) {
 }
 
 TEST(StudyFile, AnotherFolderOfInstancesCanBeNamed) {
-  const testing::TemporaryFolder folder;
+  const testing::TestFolder folder;
   testing::write_text(folder.path("s.toml"), kMinimal + "[instances]\nfiles = [\"*.tsp\"]\n");
   EXPECT_EQ(read_study(folder.path("s.toml"), "elsewhere").instance_files.folder, "elsewhere");
   testing::write_text(folder.path("s.toml"), kMinimal);

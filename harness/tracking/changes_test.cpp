@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/test_support.h"
+#include "harness/folder_testing.h"
 #include "harness/tracking/history.h"
 #include "harness/tracking/result_set.h"
 #include "harness/tracking/synthetic_nights_testing.h"
@@ -11,7 +11,7 @@ namespace mwt {
 namespace {
 
 using testing::SyntheticStudy;
-using testing::TemporaryFolder;
+using testing::TestFolder;
 
 std::vector<Night> synthetic_nights(int count, std::uint64_t seed, const testing::Tamper& tamper = {},
                                     const SyntheticStudy& study = {}) {
@@ -54,7 +54,7 @@ void expect_exactly_the_three(const std::vector<Change>& changes, const std::vec
 }
 
 TEST(Changes, FortyNightsWithThreeRegressionsASpikeAndNoise) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   for (int night = 0; night < 40; ++night) {
     const std::string results = folder.path(std::to_string(night));
     testing::write_synthetic_night(results, testing::synthetic_runs({}, night, 1, make_worse));

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -186,6 +187,8 @@ class NightWriter {
 }  // namespace
 
 History::History(std::string path, Mode mode) : path_(std::move(path)) {
+  if (mode == Mode::read && !std::filesystem::exists(path_))
+    throw InputError(path_ + ": there is no history here; mwt track FOLDER begins one");
   // Even a reader may have to roll back what a killed writer left.
   const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::write ? SQLITE_OPEN_CREATE : 0);
   const int code = sqlite3_open_v2(path_.c_str(), &database_, flags, nullptr);

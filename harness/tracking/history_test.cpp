@@ -7,13 +7,13 @@
 #include <csignal>
 
 #include "geometry/error.h"
-#include "harness/test_support.h"
+#include "harness/folder_testing.h"
 #include "harness/tracking/synthetic_nights_testing.h"
 
 namespace mwt {
 namespace {
 
-using testing::TemporaryFolder;
+using testing::TestFolder;
 using testing::write_text;
 
 Night small_night(int number) {
@@ -28,7 +28,7 @@ Night small_night(int number) {
 class HistoryFile : public ::testing::Test {
  protected:
   [[nodiscard]] std::string path() const { return folder_.path("history.sqlite"); }
-  TemporaryFolder folder_;
+  TestFolder folder_;
 };
 
 void expect_equal(const Night& a, const Night& b) {

@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "geometry/error.h"
-#include "harness/test_support.h"
+#include "harness/folder_testing.h"
 #include "harness/tracking/night.h"
 #include "harness/tracking/synthetic_nights_testing.h"
 
 namespace mwt {
 namespace {
 
-using testing::TemporaryFolder;
+using testing::TestFolder;
 using testing::write_text;
 
 std::string complaint(const std::string& folder) {
@@ -23,7 +23,7 @@ std::string complaint(const std::string& folder) {
 }
 
 TEST(ResultSet, ReadsWhatAStudyWrote) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   const auto runs = testing::synthetic_runs({}, 3, 1);
   testing::write_synthetic_night(folder.path("r"), runs);
   const ResultSet results = read_results(folder.path("r"));
@@ -34,7 +34,7 @@ TEST(ResultSet, ReadsWhatAStudyWrote) {
 
 // The first columns of version 1, in another order, and one that nobody knows.
 TEST(ResultSet, ReadsOtherVersionsByTheNamesOfColumns) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   write_text(folder.path("runs.csv"),
              "schema_version,git_commit,surprise,algorithm,params,generator,n,seed,status,wall_time_s\n"
              "1,abc,x,greedy,,uniform,100,7,ok,0.25\n"
@@ -52,7 +52,7 @@ TEST(ResultSet, ReadsOtherVersionsByTheNamesOfColumns) {
 }
 
 TEST(ResultSet, ComplaintsNameTheLine) {
-  const TemporaryFolder folder;
+  const TestFolder folder;
   EXPECT_NE(complaint(folder.path("none")).find("runs.csv"), std::string::npos);
   write_text(folder.path("runs.csv"), "a,b\n1,2\n");
   EXPECT_NE(complaint(folder.path("")).find("has no column 'algorithm'"), std::string::npos);

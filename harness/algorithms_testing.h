@@ -1,13 +1,11 @@
-// For the harness's tests only: algorithms that behave in every way a study must survive, and a folder that goes away.
+// For the harness's tests: algorithms that behave in every way a study must survive.
 #pragma once
 
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,34 +24,6 @@ inline constexpr bool kUsualAllocator = false;
 #else
 inline constexpr bool kUsualAllocator = true;
 #endif
-
-/// A new folder, removed with everything in it when the test ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "mwt_test_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("mkdtemp");
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] std::string path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline void write_text(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
-
-inline std::string read_text(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 inline Solution delaunay_solution(Points points) {
   Solution solution;
