@@ -1,5 +1,7 @@
 #include "algorithms/greedy/greedy_builder.h"
 
+#include <algorithm>
+
 #include "algorithms/greedy/certified_edges.h"
 #include "geometry/predicates.h"
 
@@ -10,6 +12,7 @@ GreedyCounters GreedyBuilder::run() {
   for (MeshEdge e = 0; e < mesh_.edge_count() && !counters_.stopped_early; ++e) {
     if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) == 0) solve_face(e);
   }
+  counters_.ears += certain_ears_.inserted();
   counters_.flips = insertion_.flips();
   return counters_;
 }
@@ -34,80 +37,15 @@ void GreedyBuilder::solve_face(MeshEdge e) {
 
 // A face that no cache holds: certain ears, found in the order of memory, leave less to be done in the order of length.
 void GreedyBuilder::break_up_face() {
+  sort_face();
   const std::vector<MeshEdge> all = std::move(face_);
-  constexpr std::size_t kTrial = 4096;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    fix_certain_ears_at(all[i]);
-    const bool is_worthwhile = i < kTrial || 16 * certain_ears_ > i;
-    if (!is_worthwhile) break;
-  }
+  counters_.stopped_early = !certain_ears_.take(all);
   for (const MeshEdge e : all) mesh_.marks(e) &= ~kFaceMark;
   for (const MeshEdge e : all) {
     if (counters_.stopped_early) return;
     if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) != 0) continue;
     collect_face(e);
     work_off_queue();
-  }
-}
-
-// Those in the two triangles at e, and all to which they lead.
-void GreedyBuilder::fix_certain_ears_at(MeshEdge e) {
-  if ((mesh_.marks(e) & kFixedMark) != 0) return;
-  for (const Halfedge h : {2 * e, 2 * e + 1}) {
-    const Halfedge right = mesh_.rotate_right(h), across = mesh_.previous(h);
-    if (stars_.is_fixed(right)) wedges_.push_back(right);
-    if (stars_.is_fixed(across) && stars_.is_fixed(mesh_.next(h))) wedges_.push_back(across);
-  }
-  while (!wedges_.empty()) {
-    if (++steps_ % 4096 == 0 && context_.deadline_passed()) counters_.stopped_early = true;
-    const Halfedge first = wedges_.back();
-    wedges_.pop_back();
-    const Wedge wedge{first, stars_.left_of(first)};
-    if (!counters_.stopped_early && is_open(wedge) && is_certain_ear(mesh_, order_, wedge)) take_certain_ear(wedge);
-  }
-}
-
-// Whether the wedge's third side is yet to be fixed or to be found.
-bool GreedyBuilder::is_open(const Wedge& wedge) const {
-  if (wedge.first == wedge.last) return false;
-  const bool is_triangle = mesh_.rotate_left(wedge.first) == wedge.last;
-  return !is_triangle || (mesh_.marks(edge_of(mesh_.next(wedge.first))) & kFixedMark) == 0;
-}
-
-void GreedyBuilder::take_certain_ear(const Wedge& wedge) {
-  ++certain_ears_;
-  if (mesh_.rotate_left(wedge.first) == wedge.last) return fix_certain(edge_of(mesh_.next(wedge.first)));
-  ++counters_.ears;
-  const MeshEdge inserted = insertion_.insert(wedge);
-  fix_certain(inserted);
-  for (const MeshEdge e : insertion_.inner()) fix_certain_around(e);
-  fix_certain_around(inserted);
-}
-
-void GreedyBuilder::fix_certain_around(MeshEdge e) {
-  const auto fix_if_certain = [this](MeshEdge edge) {
-    if ((mesh_.marks(edge) & kFixedMark) == 0 && is_certainly_greedy(mesh_, edge)) fix_certain(edge);
-  };
-  fix_if_certain(e);
-  for (const Halfedge h : {2 * e, 2 * e + 1}) {
-    fix_if_certain(edge_of(mesh_.next(h)));
-    fix_if_certain(edge_of(mesh_.previous(h)));
-  }
-}
-
-void GreedyBuilder::fix_certain(MeshEdge e) {
-  mesh_.marks(e) |= kFixedMark;
-  stars_.add(2 * e);
-  stars_.add(2 * e + 1);
-  look_around(e);
-}
-
-// The wedges on both sides of a new fixed edge at both of its ends are to be looked at, and those that share their
-// outer sides: what stood against an ear there may be hidden now.
-void GreedyBuilder::look_around(MeshEdge e) {
-  for (const Halfedge h : {2 * e, 2 * e + 1}) {
-    const Halfedge right = stars_.right_of(h), left = stars_.left_of(h);
-    wedges_.insert(wedges_.end(), {twin(left), stars_.right_of(twin(right)), h, right});
   }
 }
 
@@ -124,6 +62,16 @@ void GreedyBuilder::collect_face(MeshEdge e) {
         face_.push_back(edge_of(side));
       }
     }
+  }
+}
+
+// Into the order of memory. All faces before this one are done: their edges are fixed.
+void GreedyBuilder::sort_face() {
+  const bool is_small = 16 * face_.size() < mesh_.edge_count();
+  if (is_small) return std::sort(face_.begin(), face_.end());
+  face_.clear();
+  for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
+    if ((mesh_.marks(e) & (kFaceMark | kFixedMark)) == kFaceMark) face_.push_back(e);
   }
 }
 

@@ -1,0 +1,54 @@
+// The ears of a large face that need no queue: taken in the order of memory.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "algorithms/algorithm.h"
+#include "algorithms/greedy/ear_insertion.h"
+#include "algorithms/greedy/ear_search.h"
+#include "algorithms/greedy/face_boundary.h"
+#include "algorithms/greedy/fixed_stars.h"
+
+namespace mwt {
+
+/// Cuts certain ears (EarSearch) off the boundary of a face, walking along it and going back two corners after each,
+/// until a walk finds few: what was hidden by an ear may have stood against those two. Every ear is fixed in the mesh.
+class CertainEars {
+ public:
+  CertainEars(PlanarMesh& mesh, const EdgeOrder& order, FixedStars& stars, EarInsertion& insertion,
+              const Context& context)
+      : mesh_(mesh), search_(mesh, order), stars_(stars), insertion_(insertion), context_(context) {}
+
+  /// `face`: all edges inside the face, none of them fixed; it still holds all of them afterwards. Linear time as far
+  /// as the search is concerned: gives up when that took 64 steps per corner. False if the deadline has passed.
+  bool take(std::span<const MeshEdge> face);
+
+  /// Ears taken so far that were no edges of the mesh before.
+  [[nodiscard]] std::size_t inserted() const { return inserted_; }
+
+ private:
+  static constexpr std::size_t kBlock = 4096;  // so many corners, with their surroundings, fit the cache
+
+  static constexpr std::size_t kFewSteps = 256;
+  static constexpr std::size_t kStepsPerCorner = 4;
+
+  void look_at_waiting(FaceBoundary& boundary);
+  void look_at_put_off(FaceBoundary& boundary, std::size_t most_steps);
+  void look_at(FaceBoundary& boundary, Corner c, std::size_t most_steps);
+  [[nodiscard]] bool is_certain(const FaceBoundary& boundary, Corner c, std::size_t most_steps);
+  void take_ear(FaceBoundary& boundary, Corner c);
+
+  PlanarMesh& mesh_;
+  EarSearch search_;
+  FixedStars& stars_;
+  EarInsertion& insertion_;
+  const Context& context_;
+  std::vector<Corner> waiting_;  // to be looked at
+  std::vector<Corner> put_off_;  // to be looked at with more patience, once nothing else waits
+  std::size_t inserted_ = 0;
+  std::size_t looks_ = 0;
+  bool stopped_ = false;
+};
+
+}  // namespace mwt
