@@ -31,7 +31,7 @@ class CertainEars {
   static constexpr std::size_t kBlock = 4096;  // so many corners, with their surroundings, fit the cache
 
   static constexpr std::size_t kFewSteps = 256;
-  static constexpr std::size_t kStepsPerCorner = 4;
+  static constexpr std::size_t kStepsPerCorner = 8;
 
   void look_at_waiting(FaceBoundary& boundary);
   void look_at_put_off(FaceBoundary& boundary, std::size_t most_steps);

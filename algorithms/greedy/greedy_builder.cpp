@@ -221,8 +221,9 @@ void GreedyBuilder::take_from_heap() {
 
 void GreedyBuilder::fix(MeshEdge e) {
   mesh_.marks(e) |= kFixedMark;
+  stars_.add(2 * e);
+  stars_.add(2 * e + 1);
   for (const Halfedge h : {2 * e, 2 * e + 1}) {
-    stars_.add(h);
     look_for_ear({stars_.right_of(h), h});
     look_for_ear({h, stars_.left_of(h)});
   }
