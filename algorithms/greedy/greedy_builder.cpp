@@ -21,32 +21,30 @@ GreedyCounters GreedyBuilder::run() {
 void GreedyBuilder::fix_certain_edges() {
   for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
     if (mesh_.is_hull(e) || is_certainly_greedy(mesh_, e)) mesh_.marks(e) |= kFixedMark;
+    least_squared_length_ = std::min(least_squared_length_, mesh_.record(e).squared_length);
   }
 }
 
 // Fixed edges cut the plane into faces that do not influence each other: the one with e inside is brought to its
-// greedy triangulation, while all it touches stays in the cache.
+// greedy triangulation, while all it touches stays in the cache. Of a face that no cache holds, certain ears leave less
+// to be done in the order of length; what else they leave than the face with e is found later.
 void GreedyBuilder::solve_face(MeshEdge e) {
   collect_face(e);
-  if (face_.size() > large_face_) {
-    break_up_face();
-  } else {
-    work_off_queue();
+  const bool is_new = (mesh_.marks(e) & kEarsTakenMark) == 0;
+  if (face_.size() > large_face_ && is_new) {
+    take_certain_ears();
+    if (counters_.stopped_early || (mesh_.marks(e) & kFixedMark) != 0) return;
+    collect_face(e);
   }
+  start_queue();
+  empty_queue();
 }
 
-// A face that no cache holds: certain ears, found in the order of memory, leave less to be done in the order of length.
-void GreedyBuilder::break_up_face() {
+void GreedyBuilder::take_certain_ears() {
   sort_face();
-  const std::vector<MeshEdge> all = std::move(face_);
-  counters_.stopped_early = !certain_ears_.take(all);
-  for (const MeshEdge e : all) mesh_.marks(e) &= ~kFaceMark;
-  for (const MeshEdge e : all) {
-    if (counters_.stopped_early) return;
-    if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) != 0) continue;
-    collect_face(e);
-    work_off_queue();
-  }
+  for (const MeshEdge e : face_) mesh_.marks(e) |= kEarsTakenMark;
+  counters_.stopped_early = !certain_ears_.take(face_);
+  for (const MeshEdge e : face_) mesh_.marks(e) &= ~kFaceMark;
 }
 
 // All edges that can be reached from e through triangles without crossing a fixed edge.
@@ -75,19 +73,11 @@ void GreedyBuilder::sort_face() {
   }
 }
 
-void GreedyBuilder::work_off_queue() {
-  start_queue();
-  empty_queue();
-}
-
 void GreedyBuilder::start_queue() {
-  candidates_.clear();
-  for (const MeshEdge inside : face_) {
-    if (!is_candidate(inside)) continue;
-    mesh_.marks(inside) |= kCandidateMark;
-    candidates_.push_back(inside);
-  }
-  sorted_.sort(candidates_);
+  const auto others = std::partition(face_.begin(), face_.end(), [this](MeshEdge e) { return is_candidate(e); });
+  const std::span<const MeshEdge> candidates(face_.begin(), others);
+  for (const MeshEdge inside : candidates) mesh_.marks(inside) |= kCandidateMark;
+  sorted_.sort(candidates);
   for (const MeshEdge inside : face_) {
     for (const Halfedge spoke : {2 * inside, 2 * inside + 1}) {
       const Halfedge right = mesh_.rotate_right(spoke);
@@ -105,6 +95,7 @@ void GreedyBuilder::empty_queue() {
       return;
     }
     if (next < sorted_.size() && next >= fetched_) fetch_ahead(next);
+    if (next < sorted_.size() && next == sorted_.decided()) decide_order();
     if (next < sorted_.size() && is_settled(sorted_.edge(next))) {
       ++next;
     } else if (next < sorted_.size() && comes_first(sorted_.edge(next))) {
@@ -113,6 +104,17 @@ void GreedyBuilder::empty_queue() {
       take_from_heap();
     }
   }
+}
+
+// Of edges that rounded lengths do not tell apart: any order will do if all ears are longer, those to come included
+// (lemma 5).
+void GreedyBuilder::decide_order() {
+  const EdgeSorter::Run run = sorted_.next_run();
+  constexpr double kMargin = 1e-5;  // for the rounding of floats
+  const double least = static_cast<double>(least_squared_length_) * (1 - kMargin);
+  const bool later_ears_are_longer = run.most - run.least < least;
+  const bool ears_are_longer = heap_.empty() || heap_.top().key().squared_length.high > run.most;
+  sorted_.decide(run, later_ears_are_longer && ears_are_longer);
 }
 
 // Edges come in the order of length, from everywhere: bring what the coming ones need into the cache, first their

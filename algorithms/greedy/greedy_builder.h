@@ -1,6 +1,7 @@
 // Turns a Delaunay triangulation into the greedy triangulation: the method of README.md.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "algorithms/algorithm.h"
@@ -32,13 +33,13 @@ class GreedyBuilder {
 
  private:
   void fix_certain_edges();
-  void break_up_face();
   void solve_face(MeshEdge e);
   void collect_face(MeshEdge e);
+  void take_certain_ears();
   void sort_face();
-  void work_off_queue();
   void start_queue();
   void empty_queue();
+  void decide_order();
   void fetch_ahead(std::size_t next);
   void fetch_ears_ahead() const;
 
@@ -69,8 +70,8 @@ class GreedyBuilder {
   CertainEars certain_ears_;
   GreedyCounters counters_;
   std::uint64_t steps_ = 0;
+  float least_squared_length_ = std::numeric_limits<float>::infinity();
   std::vector<MeshEdge> face_;
-  std::vector<MeshEdge> candidates_;
   std::size_t fetched_ = 0;
 };
 
