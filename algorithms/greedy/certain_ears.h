@@ -30,7 +30,7 @@ class CertainEars {
  private:
   static constexpr std::size_t kBlock = 4096;  // so many corners, with their surroundings, fit the cache
 
-  static constexpr std::size_t kFewSteps = 256;
+  static constexpr std::size_t kFewSteps = 64;
   static constexpr std::size_t kStepsPerCorner = 8;
 
   void look_at_waiting(FaceBoundary& boundary);

@@ -3,8 +3,9 @@
 namespace mwt {
 
 FixedStars::Neighbours FixedStars::linked_neighbours(Halfedge h) {
+  if (!links_) links_ = std::make_unique_for_overwrite<Neighbours[]>(2 * mesh_.edge_count());
   if (linked_vertices_.insert(mesh_.origin(h)).second) link_star(h);
-  return is_fixed(h) ? links_.at(h) : find_neighbours(h);
+  return is_fixed(h) ? links_[h] : find_neighbours(h);
 }
 
 // Those of a halfedge that has no links itself: the nearer one by scanning, the other one by its links.
@@ -14,7 +15,7 @@ FixedStars::Neighbours FixedStars::find_neighbours(Halfedge h) const {
     left = mesh_.rotate_left(left);
     right = mesh_.rotate_right(right);
   }
-  return is_fixed(left) ? Neighbours{left, links_.at(left).right} : Neighbours{links_.at(right).left, right};
+  return is_fixed(left) ? Neighbours{left, links_[left].right} : Neighbours{links_[right].left, right};
 }
 
 void FixedStars::link(Halfedge h) {

@@ -1,7 +1,7 @@
 // The fixed edges around each vertex: who comes next, also at vertices with tens of thousands of edges.
 #pragma once
 
-#include <unordered_map>
+#include <memory>
 #include <unordered_set>
 
 #include "algorithms/greedy/greedy_marks.h"
@@ -55,7 +55,7 @@ class FixedStars {
 
   const PlanarMesh& mesh_;
   std::unordered_set<Index> linked_vertices_;
-  std::unordered_map<Halfedge, Neighbours> links_;  // of all fixed halfedges at linked vertices
+  std::unique_ptr<Neighbours[]> links_;  // set for all fixed halfedges at linked vertices; others take no memory
 };
 
 }  // namespace mwt
