@@ -12,8 +12,10 @@
 
 namespace mwt {
 
-/// Cuts certain ears (EarSearch) off the boundary of a face, walking along it and going back two corners after each,
-/// until a walk finds few: what was hidden by an ear may have stood against those two. Every ear is fixed in the mesh.
+/// Cuts certain ears (EarSearch) off the boundary of a face and fixes them in the mesh. Corners are looked at in blocks
+/// that lie near each other, first come, first served; each ear that is taken brings the two corners on either side
+/// back, since what it hides may have stood against them. Few looks take many steps of search; those are put off until
+/// the others are done.
 class CertainEars {
  public:
   CertainEars(PlanarMesh& mesh, const EdgeOrder& order, FixedStars& stars, EarInsertion& insertion,
@@ -21,17 +23,17 @@ class CertainEars {
       : mesh_(mesh), search_(mesh, order), stars_(stars), insertion_(insertion), context_(context) {}
 
   /// `face`: all edges inside the face, none of them fixed; it still holds all of them afterwards. Linear time as far
-  /// as the search is concerned: gives up when that took 64 steps per corner. False if the deadline has passed.
+  /// as the search is concerned: long searches are given up when they took 4 steps per corner. False if the deadline
+  /// has passed.
   bool take(std::span<const MeshEdge> face);
 
   /// Ears taken so far that were no edges of the mesh before.
   [[nodiscard]] std::size_t inserted() const { return inserted_; }
 
  private:
-  static constexpr std::size_t kBlock = 4096;  // so many corners, with their surroundings, fit the cache
-
-  static constexpr std::size_t kFewSteps = 64;
-  static constexpr std::size_t kStepsPerCorner = 8;
+  static constexpr std::size_t kBlock = 4096;        // so many corners, with their surroundings, fit the cache
+  static constexpr std::size_t kFewSteps = 64;       // of a look that is not put off
+  static constexpr std::size_t kStepsPerCorner = 4;  // of all that were put off
 
   void look_at_waiting(FaceBoundary& boundary);
   void look_at_put_off(FaceBoundary& boundary, std::size_t most_steps);

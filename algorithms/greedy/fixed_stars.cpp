@@ -3,8 +3,11 @@
 namespace mwt {
 
 FixedStars::Neighbours FixedStars::linked_neighbours(Halfedge h) {
-  if (!links_) links_ = std::make_unique_for_overwrite<Neighbours[]>(2 * mesh_.edge_count());
-  if (linked_vertices_.insert(mesh_.origin(h)).second) link_star(h);
+  if (is_linked_.empty()) {
+    is_linked_.resize(mesh_.point_count());
+    links_ = std::make_unique_for_overwrite<Neighbours[]>(2 * mesh_.edge_count());
+  }
+  if (!is_linked_[mesh_.origin(h)]) link_star(h);
   return is_fixed(h) ? links_[h] : find_neighbours(h);
 }
 
@@ -27,6 +30,7 @@ void FixedStars::link(Halfedge h) {
 
 // Links the fixed halfedges around the origin of h, of which there is at least one.
 void FixedStars::link_star(Halfedge h) {
+  is_linked_[mesh_.origin(h)] = true;
   Halfedge first = h;
   while (!is_fixed(first)) first = mesh_.rotate_left(first);
   Halfedge before = first;

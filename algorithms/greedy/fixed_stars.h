@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <unordered_set>
+#include <vector>
 
 #include "algorithms/greedy/greedy_marks.h"
 #include "algorithms/mesh/planar_mesh.h"
@@ -38,7 +38,7 @@ class FixedStars {
 
   /// To be called for both halves of an edge once it is fixed.
   void add(Halfedge h) {
-    if (!linked_vertices_.empty() && linked_vertices_.count(mesh_.origin(h)) != 0) link(h);
+    if (!is_linked_.empty() && is_linked_[mesh_.origin(h)]) link(h);
   }
 
  private:
@@ -54,7 +54,7 @@ class FixedStars {
   void link_star(Halfedge h);
 
   const PlanarMesh& mesh_;
-  std::unordered_set<Index> linked_vertices_;
+  std::vector<bool> is_linked_;          // by vertex; empty until the first one is
   std::unique_ptr<Neighbours[]> links_;  // set for all fixed halfedges at linked vertices; others take no memory
 };
 
