@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "geometry/interval.h"
 #include "geometry/parameters.h"
 #include "geometry/point.h"
@@ -40,13 +41,13 @@ class Context {
 
   std::uint64_t seed = 1;
   int threads = 1;
-  Parameters parameters;                      ///< complete: every declared parameter has a value
-  std::optional<Clock::time_point> deadline;  ///< soft: return the best valid triangulation found by then
-  std::optional<Triangulation> start;         ///< a given triangulation to start from, already checked
+  Parameters parameters;               ///< complete: every declared parameter has a value
+  Deadline deadline;                   ///< soft: return the best valid triangulation found by then
+  std::optional<Triangulation> start;  ///< a given triangulation to start from, already checked
   std::function<void(const std::string& stage, double done)> progress;  ///< optional; done in [0, 1]
   std::vector<std::pair<std::string, double>> phases;                   ///< seconds per named phase, in order
 
-  [[nodiscard]] bool deadline_passed() const { return deadline && Clock::now() >= *deadline; }
+  [[nodiscard]] bool deadline_passed() const { return has_passed(deadline); }
 };
 
 /// Adds the lifetime of this object to context.phases under `name`.

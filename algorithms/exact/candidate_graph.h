@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "geometry/triangulation.h"
 
 namespace mwt {
 
@@ -28,5 +29,10 @@ struct CandidateGraph {
     return std::span(target).subspan(first[v], first[v + 1] - first[v]);
   }
 };
+
+/// The graph of these edges, each once, of which those among `certain` (ascending) are certain. The points must stay
+/// alive. O(edges log edges).
+[[nodiscard]] CandidateGraph make_candidate_graph(Points points, std::span<const Edge> edges,
+                                                  std::span<const Edge> certain);
 
 }  // namespace mwt

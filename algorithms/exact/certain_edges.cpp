@@ -1,9 +1,11 @@
 #include "algorithms/exact/certain_edges.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <mutex>
 
 #include "algorithms/exact/by_direction.h"
@@ -16,6 +18,9 @@ namespace mwt {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
+
+// In larger stars edges are looked up by bisection, and each takes a look at the clock.
+constexpr std::size_t kLargeStar = 64;
 
 class Marking {
  public:
@@ -34,6 +39,14 @@ class Marking {
   }
 
  private:
+  using Place = std::uint32_t;  // in a star
+  static constexpr Place kNoPlace = std::numeric_limits<Place>::max();
+
+  struct Scratch {
+    std::vector<Place> marked;  // edges that nothing known crosses, ascending
+    std::vector<Place> order;   // in which the star is gone through
+  };
+
   template <class Body>
   static void for_each_vertex(Index n, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<Index>(0, n, kGrain), [&](const tbb::blocked_range<Index>& range) {
@@ -91,48 +104,83 @@ class Marking {
   }
 
   bool has_edge(Index v, Index w) const {
+    if (graph_.star(w).size() < graph_.star(v).size()) std::swap(v, w);
     const auto star = graph_.star(v);
-    return std::find(star.begin(), star.end(), w) != star.end();
-  }
-
-  bool is_certain(Index s, Index t) const {
-    const Point& a = graph_.points[s];
-    const Point& b = graph_.points[t];
-    const auto star = graph_.star(s);
-    const std::size_t degree = star.size();
-    const auto here = static_cast<std::size_t>(std::find(star.begin(), star.end(), t) - star.begin());
-    // Neighbours to the left of st follow it in the star, those to the right precede it.
-    std::size_t right = 0;
-    while (right + 1 < degree && orientation(a, b, graph_.points[star[(here + degree - right - 1) % degree]]) < 0) {
-      ++right;
-    }
-    for (std::size_t i = 1; i + right < degree; ++i) {
-      const Index w = star[(here + i) % degree];
-      if (orientation(a, b, graph_.points[w]) <= 0) break;
-      for (std::size_t j = 1; j <= right; ++j) {
-        const Index y = star[(here + degree - j) % degree];
-        const bool crosses = orientation(graph_.points[y], graph_.points[w], b) < 0 &&
-                             orientation(graph_.points[y], graph_.points[w], a) > 0;
-        if (crosses && has_edge(y, w)) return false;
-      }
-    }
-    return true;
+    if (star.size() <= kLargeStar) return std::find(star.begin(), star.end(), w) != star.end();
+    // The table's stars are sorted by target. They contain hidden edges as well: to believe in those is safe.
+    const Star& sorted = stars_[v];
+    return std::binary_search(sorted.target(), sorted.target() + sorted.count, w);
   }
 
   void look_at_the_clock() const {
     if (context_.deadline_passed()) throw SearchStopped("the deadline passed while marking certain edges");
   }
 
+  // Every edge to a later point is certain until an edge yw between neighbours is found that crosses it.
   void mark_edges_from_smaller_end(Index s) {
     constexpr Index kVerticesPerLook = 64;
-    constexpr std::uint32_t kLargeStar = 128;
     if (s % kVerticesPerLook == 0) look_at_the_clock();
-    const bool is_large = graph_.first[s + std::size_t{1}] - graph_.first[s] > kLargeStar;
-    for (std::uint32_t i = graph_.first[s]; i < graph_.first[s + std::size_t{1}]; ++i) {
-      const Index t = graph_.target[i];
-      if (is_large) look_at_the_clock();
-      if (s < t && is_certain(s, t)) graph_.certain[i] = 1;
+    Scratch& scratch = scratch_.local();
+    const auto star = graph_.star(s);
+    scratch.marked.clear();
+    scratch.order.clear();
+    for (Place t = 0; t < star.size(); ++t) {
+      if (s < star[t]) scratch.marked.push_back(t);
+      scratch.order.push_back(t);
     }
+    if (star.size() > kLargeStar) put_near_ones_first(s, scratch.order);
+    for (const Place y : scratch.order) {
+      if (scratch.marked.empty()) break;
+      if (star.size() > kLargeStar) look_at_the_clock();
+      unmark_edges_crossed_from(s, y, scratch.marked);
+    }
+    for (const Place t : scratch.marked) graph_.certain[graph_.first[s] + t] = 1;
+  }
+
+  // Where long chains face each other, edges from the neighbours in the own chain cross nearly everything.
+  void put_near_ones_first(Index s, std::vector<Place>& order) const {
+    const auto star = graph_.star(s);
+    const auto near = order.begin() + std::min<std::ptrdiff_t>(8, std::ssize(order));
+    std::partial_sort(order.begin(), near, order.end(), [&](Place a, Place b) {
+      return compare_length(graph_.points[s], graph_.points[star[a]], graph_.points[s], graph_.points[star[b]]) < 0;
+    });
+  }
+
+  // By edges from neighbour y to those that follow it counter-clockwise, up to the opposite direction.
+  void unmark_edges_crossed_from(Index s, Place y, std::vector<Place>& marked) const {
+    const auto star = graph_.star(s);
+    const auto degree = static_cast<Place>(star.size());
+    const auto steps_to = [&](Place t) { return t > y ? t - y : t + degree - y; };
+    const Point& from = graph_.points[star[y]];
+    Place steps = steps_to(first_after(marked, y));
+    while (++steps < degree) {
+      const Place w = y + steps < degree ? y + steps : y + steps - degree;
+      const Point& to = graph_.points[star[w]];
+      if (orientation(graph_.points[s], from, to) <= 0) return;
+      if (!has_edge(star[y], star[w])) continue;
+      erase_between(marked, y, w, [&](Place t) { return orientation(from, to, graph_.points[star[t]]) < 0; });
+      if (marked.empty()) return;
+      steps = std::max(steps, steps_to(first_after(marked, y)));
+    }
+  }
+
+  // Around the circle; precondition: there are any.
+  static Place first_after(const std::vector<Place>& places, Place y) {
+    const auto next = std::upper_bound(places.begin(), places.end(), y);
+    return next != places.end() ? *next : places.front();
+  }
+
+  // Erases those of the places after y and before w, around the circle, that meet the condition.
+  template <class Condition>
+  static void erase_between(std::vector<Place>& places, Place y, Place w, const Condition& condition) {
+    const auto erase = [&](Place first, Place end) {
+      const auto from = std::lower_bound(places.begin(), places.end(), first);
+      const auto to = std::lower_bound(from, places.end(), end);
+      places.erase(std::remove_if(from, to, condition), to);
+    };
+    if (y < w) return erase(y + 1, w);
+    erase(y + 1, kNoPlace);
+    erase(0, w);
   }
 
   void copy_marks_to_larger_end(Index t) {
@@ -148,6 +196,7 @@ class Marking {
   CandidateGraph graph_;
   const std::vector<Star>& stars_;
   const Context& context_;
+  tbb::enumerable_thread_specific<Scratch> scratch_;
   std::mutex hidden_mutex_;
   std::vector<Edge> hidden_;  // edges through another point
 };

@@ -148,9 +148,8 @@ void close_gaps(std::vector<Value>& values, const std::vector<std::uint32_t>& po
 
 }  // namespace
 
-std::optional<std::vector<Edge>> find_crossing_candidates(
-    const CandidateGraph& graph, std::span<const Edge> suspects,
-    const std::optional<std::chrono::steady_clock::time_point>& deadline) {
+std::optional<std::vector<Edge>> find_crossing_candidates(const CandidateGraph& graph, std::span<const Edge> suspects,
+                                                          const Deadline& deadline) {
   constexpr std::size_t kSuspectsPerLookAtTheClock = 64;
   std::vector<Edge> crossing;
   if (suspects.empty()) return crossing;
@@ -158,8 +157,7 @@ std::optional<std::vector<Edge>> find_crossing_candidates(
   std::vector<std::uint8_t> is_crossed(suspects.size());
   std::atomic<bool> is_late = false;
   tbb::parallel_for(std::size_t{0}, suspects.size(), [&](std::size_t i) {
-    const bool looks = deadline && i % kSuspectsPerLookAtTheClock == 0;
-    if (looks && std::chrono::steady_clock::now() >= *deadline) is_late = true;
+    if (i % kSuspectsPerLookAtTheClock == 0 && has_passed(deadline)) is_late = true;
     if (!is_late) is_crossed[i] = search.is_crossed(suspects[i].a, suspects[i].b) ? 1 : 0;
   });
   if (is_late) return {};

@@ -1,11 +1,11 @@
 // Finds candidates that leave the faces of the certain edges.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "algorithms/exact/candidate_graph.h"
 #include "geometry/triangulation.h"
 
@@ -19,9 +19,9 @@ namespace mwt {
 /// Exact. A search for each candidate in a tree of boxes over the points in their order: O(log n) for short ones if
 /// neighbours in the order are neighbours in the plane. Runs on the threads of the enclosing task arena; the result
 /// does not depend on them. Nothing if the deadline passes.
-[[nodiscard]] std::optional<std::vector<Edge>> find_crossing_candidates(
-    const CandidateGraph& graph, std::span<const Edge> suspects,
-    const std::optional<std::chrono::steady_clock::time_point>& deadline = {});
+[[nodiscard]] std::optional<std::vector<Edge>> find_crossing_candidates(const CandidateGraph& graph,
+                                                                        std::span<const Edge> suspects,
+                                                                        const Deadline& deadline = {});
 
 /// Deletes `edges`, which stand in the graph. O(graph) moves of memory and the stars of their ends.
 void remove_edges(CandidateGraph& graph, std::span<const Edge> edges);

@@ -1,9 +1,7 @@
 #include "algorithms/exact/cut_region.h"
 
 #include <algorithm>
-#include <numeric>
 
-#include "algorithms/exact/by_direction.h"
 #include "algorithms/exact/disjoint_sets.h"
 #include "algorithms/exact/face_walk.h"
 #include "geometry/predicates.h"
@@ -68,29 +66,7 @@ CandidateGraph CutRegion::graph_with(std::span<const Edge> cuts) const {
     });
     if (is_free) edges.push_back(edge);
   }
-  CandidateGraph graph;
-  graph.points = points_;
-  graph.first.assign(points_.size() + 1, 0);
-  for (const Edge& edge : edges) {
-    ++graph.first[edge.a + std::size_t{1}];
-    ++graph.first[edge.b + std::size_t{1}];
-  }
-  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
-  graph.target.resize(2 * edges.size());
-  std::vector<std::uint32_t> next(graph.first.begin(), graph.first.end() - 1);
-  for (const Edge& edge : edges) {
-    graph.target[next[edge.a]++] = edge.b;
-    graph.target[next[edge.b]++] = edge.a;
-  }
-  for (Index v = 0; v < points_.size(); ++v) {
-    const auto begin = graph.target.begin() + graph.first[v],
-               end = graph.target.begin() + graph.first[v + std::size_t{1}];
-    std::sort(begin, end, ByDirection(points_, v));
-    for (auto it = begin; it != end; ++it) {
-      graph.certain.push_back(std::binary_search(certain.begin(), certain.end(), make_edge(v, *it)) ? 1 : 0);
-    }
-  }
-  return graph;
+  return make_candidate_graph(points_, edges, certain);
 }
 
 PolygonFaceOutcome CutRegion::solve(std::span<const Edge> cuts, const Deadline& deadline, FaceTriangles& result) {

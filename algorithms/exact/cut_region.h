@@ -1,11 +1,10 @@
 // Faces with holes or isolated vertices, cut open until their boundary is in one piece: then they are polygons.
 #pragma once
 
-#include <chrono>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "algorithms/exact/candidate_graph.h"
 #include "algorithms/exact/face_region.h"
 #include "algorithms/exact/polygon_face.h"
@@ -15,8 +14,6 @@ namespace mwt {
 /// One region, to be cut in different ways one after the other.
 class CutRegion {
  public:
-  using Deadline = std::optional<std::chrono::steady_clock::time_point>;
-
   /// `points` are those of the instance; they and the region must stay alive.
   CutRegion(Points points, const FaceRegion& region);
 

@@ -12,21 +12,6 @@
 namespace mwt {
 namespace {
 
-// The inside of the hull, if exactly one point lies there.
-std::optional<FaceRegion> polygon_with_one_point(Points points) {
-  const std::vector<Index> hull = convex_hull(points);
-  if (hull.size() + 1 != points.size()) return {};
-  FaceRegion region;
-  for (Index v = 0; v < points.size(); ++v) region.vertices.push_back(v);
-  for (std::size_t i = 0; i < hull.size(); ++i) region.boundary.push_back({hull[i], hull[(i + 1) % hull.size()]});
-  const std::set<Edge> hull_edges = naive::hull_edges(points);
-  for (const Edge& edge : naive::possible_edges(points)) {
-    if (!hull_edges.contains(edge)) region.candidates.push_back(edge);
-  }
-  region.components = 2;
-  return region;
-}
-
 std::vector<Point> convex_points_and_one(std::size_t n, std::uint64_t seed) {
   std::vector<Point> points = generate("circle", static_cast<Index>(n), seed);
   double x = 0, y = 0;
@@ -49,17 +34,17 @@ TEST(CutRegion, TheBestOfTheUnavoidableCutsIsTheOptimum) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
     const std::vector<Point> points = convex_points_and_one(6 + seed % 5, seed);
-    const auto region = polygon_with_one_point(points);
-    if (!region) continue;  // the point fell on the boundary
-    CutRegion cutter(points, *region);
+    const FaceRegion region = naive::region_of_hull(points);
+    if (region.components != 2) continue;  // the point fell on the boundary
+    CutRegion cutter(points, region);
     double least = std::numeric_limits<double>::infinity();
     for (const Edge& cut : cutter.unavoidable_cuts()) {
       FaceTriangles found;
       if (cutter.solve(std::span(&cut, 1), {}, found) != PolygonFaceOutcome::solved) continue;
-      EXPECT_EQ(found.triangles.size(), region->triangle_count());
+      EXPECT_EQ(found.triangles.size(), region.triangle_count());
       least = std::min(least, found.diagonals.enclosure().upper);
     }
-    const Interval boundary = length_of(points, region->boundary);
+    const Interval boundary = length_of(points, region.boundary);
     const Solution optimum = solve_to_optimality("brute_force", points);
     EXPECT_GE(least + boundary.upper, optimum.optimum->lower);
     EXPECT_NEAR(least + boundary.upper, optimum.optimum->upper, 1e-12 * optimum.optimum->upper);
@@ -69,9 +54,9 @@ TEST(CutRegion, TheBestOfTheUnavoidableCutsIsTheOptimum) {
 TEST(CutRegion, EveryTriangulationContainsAnUnavoidableCut) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const std::vector<Point> points = convex_points_and_one(7, seed);
-    const auto region = polygon_with_one_point(points);
-    if (!region) continue;
-    const std::vector<Edge> cuts = CutRegion(points, *region).unavoidable_cuts();
+    const FaceRegion region = naive::region_of_hull(points);
+    if (region.components != 2) continue;
+    const std::vector<Edge> cuts = CutRegion(points, region).unavoidable_cuts();
     for (const char* algorithm : {"delaunay", "sweep", "greedy"}) {
       const std::vector<Edge> edges = edges_of(solve_and_check(algorithm, points).triangulation);
       EXPECT_TRUE(std::any_of(cuts.begin(), cuts.end(), [&](const Edge& cut) {
@@ -83,7 +68,7 @@ TEST(CutRegion, EveryTriangulationContainsAnUnavoidableCut) {
 
 TEST(CutRegion, SaysWhenNoTriangulationContainsTheCut) {
   const std::vector<Point> points{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {4, 3}};
-  FaceRegion region = *polygon_with_one_point(points);
+  FaceRegion region = naive::region_of_hull(points);
   region.candidates = {{0, 4}, {1, 4}, {2, 4}};
   FaceTriangles found;
   CutRegion cutter(points, region);

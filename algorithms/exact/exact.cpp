@@ -15,7 +15,9 @@
 #include "algorithms/exact/lmt_skeleton.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
+#include "algorithms/exact/usable_threads.h"
 #include "algorithms/flip/flip.h"
+#include "algorithms/greedy/greedy.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
 
@@ -127,13 +129,12 @@ class ExactSolver {
   }
 
   Solution give_up(double lower_bound) const {
-    BoundedTriangulation bounded = delaunay_with_lower_bound(points_);
     Solution solution;
-    solution.triangulation = std::move(bounded.triangulation);
-    solution.optimum = bounded.optimum;
-    solution.optimum->lower = std::max(bounded.optimum.lower, lower_bound);
+    solution.triangulation = greedy_triangulation(points_);
+    solution.optimum = {std::max(simple_lower_bound(points_), lower_bound),
+                        weight(points_, solution.triangulation).upper};
     solution.counters = counters_;
-    improve_by_flips(solution);
+    solution.stopped_early = true;
     return solution;
   }
 
@@ -159,7 +160,7 @@ class ExactSolver {
 }  // namespace
 
 Solution exact(Points points, Context& context) {
-  tbb::task_arena arena(context.threads);
+  tbb::task_arena arena(usable_threads(context));
   return arena.execute([&] { return ExactSolver(points, context).run(); });
 }
 

@@ -12,15 +12,17 @@ namespace mwt {
 ///   3. lmt_skeleton: deletes edges that are locally minimal in no quadrilateral; about 3.8 n stay;
 ///   4. certain_edges: those that nothing crosses any more, about 2.5 n, are in every optimum (up to ties);
 ///   5. face_solver: each face of the certain edges: polygons by dynamic programs, faces with one hole by dynamic
-///      programs after a cut, faces with more by linear programs with branching.
+///      programs after a cut; faces with more are divided where possible, and what is left are linear programs with
+///      branching.
 /// All points on the hull: only stage 5, over all diagonals.
 ///
 /// Preconditions: distinct points, not all collinear. Collinear triples, ties and all magnitudes are normal input.
 /// Postcondition: the triangulation's weight is the optimum's upper end, and the optimum is certified from below. Where
-/// the deadline, memory or a count of candidates beyond max(10^8, 64 n) stops a stage, the result is a valid
-/// triangulation with a wider interval, never an abort. Ties: between optima that no comparison tells apart, the choice
-/// is fixed by the order of the points. Time: about n log n on inputs of gradually varying or clustered density; the
-/// general problem is NP-hard (Mulzer and Rote 2008). Deterministic, whatever context.threads.
+/// the deadline, memory, a count of candidates beyond max(10^8, 64 n) or more than 6,000 points in convex position stop a
+/// stage, the result is a valid triangulation (greedy, or optimal in all faces but some) with a wider interval, never an
+/// abort. Ties: between optima that no comparison tells apart, the choice is fixed by the order of the points. Time:
+/// about n log n on inputs of gradually varying or clustered density; the general problem is NP-hard (Mulzer and Rote
+/// 2008). Deterministic, whatever context.threads.
 ///
 /// After A. Haas, "Solving large-scale minimum-weight triangulation instances to provable optimality", SoCG 2018, and
 /// the papers named in the stages' headers; data structures and vector code are this project's own.

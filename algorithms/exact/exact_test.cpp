@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 
+#include "algorithms/exact/convex_position.h"
 #include "algorithms/exact/stage_testing.h"
 #include "algorithms/solver_testing.h"
 #include "geometry/point_file.h"
@@ -220,6 +221,19 @@ std::vector<NamedInstance> middle_sized_instances() {
   append(instances, "near_collinear", 100, 1);
   append(instances, "wheel", 25, 1);
   return instances;
+}
+
+TEST(Exact, BoundsWhatHasTooManyDiagonals) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i <= kLargestConvexPolygon; ++i) {
+    const auto x = static_cast<double>(i);
+    points.push_back({x, x * x});
+  }
+  const Solution solution = solve_and_check("exact", points);
+  EXPECT_TRUE(solution.stopped_early);
+  ASSERT_TRUE(solution.optimum);
+  EXPECT_GT(solution.optimum->lower, 0);
+  EXPECT_LT(solution.optimum->lower, solution.optimum->upper);
 }
 
 TEST(Exact, DoesNotDependOnThreads) {

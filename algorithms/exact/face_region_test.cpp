@@ -5,7 +5,7 @@
 #include <set>
 
 #include "algorithms/exact/naive_candidates.h"
-#include "algorithms/exact/region_program.h"
+#include "algorithms/exact/region_solver.h"
 #include "geometry/checker.h"
 
 namespace mwt {

@@ -2,7 +2,6 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -18,8 +17,9 @@
 #include "algorithms/exact/face_region.h"
 #include "algorithms/exact/face_walk.h"
 #include "algorithms/exact/polygon_face.h"
-#include "algorithms/exact/region_program.h"
+#include "algorithms/exact/region_solver.h"
 #include "algorithms/exact/search_stopped.h"
+#include "algorithms/exact/usable_threads.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -359,8 +359,7 @@ void FaceSolver::assemble(FaceSolution& solution) {
 }  // namespace
 
 FaceSolution solve_faces(CandidateGraph graph, Context& context) {
-  // More threads than cores would only wait for each other.
-  tbb::task_arena arena(std::clamp(context.threads, 1, tbb::info::default_concurrency()));
+  tbb::task_arena arena(usable_threads(context));
   return arena.execute([&] {
     FaceSolver solver(std::move(graph), context);
     solver.solve_polygons();

@@ -28,8 +28,8 @@ struct FaceSolution {
 };
 
 /// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). With one hole or
-/// isolated vertex: the same after each of a few cuts (cut_region.h). With more: linear program with branching
-/// (region_program.h).
+/// isolated vertex: the same after each of a few cuts (cut_region.h). With more: divided further where possible, then
+/// linear programs with branching (region_solver.h).
 ///
 /// Precondition: the graph's properties (1) to (4); where a violation shows, std::logic_error. SearchStopped with a
 /// lower bound, if the deadline passes before the faces are known.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "algorithms/exact/candidate_graph.h"
+#include "algorithms/exact/face_region.h"
 #include "geometry/convex_hull.h"
 #include "geometry/double_double.h"
 #include "geometry/predicates.h"
@@ -49,32 +50,22 @@ inline std::set<Edge> uncrossed_edges(Points points, const std::vector<Edge>& ed
   return result;
 }
 
-/// The graph of `edges`, stars sorted counter-clockwise from the direction of the positive x-axis.
 inline CandidateGraph make_graph(Points points, const std::vector<Edge>& edges, const std::set<Edge>& certain) {
-  std::vector<std::vector<Index>> stars(points.size());
-  for (const Edge& e : edges) {
-    stars[e.a].push_back(e.b);
-    stars[e.b].push_back(e.a);
+  return make_candidate_graph(points, edges, std::vector<Edge>(certain.begin(), certain.end()));
+}
+
+/// All within the hull, with every possible edge.
+inline FaceRegion region_of_hull(Points points) {
+  const std::vector<Index> hull = convex_hull(points);
+  FaceRegion region;
+  for (Index v = 0; v < points.size(); ++v) region.vertices.push_back(v);
+  for (std::size_t i = 0; i < hull.size(); ++i) region.boundary.push_back({hull[i], hull[(i + 1) % hull.size()]});
+  const std::set<Edge> certain = hull_edges(points);
+  for (const Edge& edge : possible_edges(points)) {
+    if (!certain.contains(edge)) region.candidates.push_back(edge);
   }
-  CandidateGraph graph;
-  graph.points = points;
-  graph.first.push_back(0);
-  for (Index v = 0; v < points.size(); ++v) {
-    const Point& p = points[v];
-    const auto is_lower = [&](const Point& q) { return q.y < p.y || (q.y == p.y && q.x < p.x); };
-    std::sort(stars[v].begin(), stars[v].end(), [&](Index a, Index b) {
-      const Point& pa = points[a];
-      const Point& pb = points[b];
-      if (is_lower(pa) != is_lower(pb)) return is_lower(pb);
-      return orientation(p, pa, pb) > 0;
-    });
-    for (const Index target : stars[v]) {
-      graph.target.push_back(target);
-      graph.certain.push_back(certain.contains(make_edge(v, target)) ? 1 : 0);
-    }
-    graph.first.push_back(static_cast<std::uint32_t>(graph.target.size()));
-  }
-  return graph;
+  region.components = 1 + points.size() - hull.size();
+  return region;
 }
 
 /// The graph in which `certain` and the hull's edges are certain, and candidates all that do not cross them.

@@ -33,8 +33,7 @@ double close_above(double least) {
 
 }  // namespace
 
-PolygonFaceOutcome PolygonFaceSolver::solve(std::span<const Corner> corners,
-                                            const std::optional<std::chrono::steady_clock::time_point>& deadline,
+PolygonFaceOutcome PolygonFaceSolver::solve(std::span<const Corner> corners, const Deadline& deadline,
                                             FaceTriangles& result) {
   corners_ = corners;
   if (corners.size() == 4) return solve_quadrilateral(result);
@@ -73,6 +72,7 @@ PolygonFaceOutcome PolygonFaceSolver::solve_quadrilateral(FaceTriangles& result)
 bool PolygonFaceSolver::collect_cells() {
   const auto size = static_cast<Position>(corners_.size());
   if (size > kSmallFace) collect_positions_of_vertices();
+  passed_.assign(size, 0);
   first_.clear();
   to_.clear();
   std::uint64_t halfedges = 0;
@@ -101,18 +101,30 @@ void PolygonFaceSolver::collect_positions_of_vertices() {
   std::sort(positions_.begin(), positions_.end());
 }
 
+// Those who ask come in the order of the corner's candidates, so that the search goes on where it found the last one.
+bool PolygonFaceSolver::leads_back(Position position, Index partner) {
+  const Corner& corner = corners_[position];
+  std::uint32_t& passed = passed_[position];
+  for (std::uint32_t i = passed; i < corner.candidates; ++i) {
+    if (candidate_of(graph_, corner, i) != partner) continue;
+    passed = i + 1;
+    return true;
+  }
+  return leads_to(graph_, corner, partner);
+}
+
 // The corner of `vertex` behind position `after` that the edge from `partner` reaches.
-PolygonFaceSolver::Position PolygonFaceSolver::find_position(Index vertex, Position after, Index partner) const {
+PolygonFaceSolver::Position PolygonFaceSolver::find_position(Index vertex, Position after, Index partner) {
   if (corners_.size() <= kSmallFace) {
     for (Position p = after + 1; p < corners_.size(); ++p) {
-      if (corners_[p].vertex == vertex && leads_to(graph_, corners_[p], partner)) return p;
+      if (corners_[p].vertex == vertex && leads_back(p, partner)) return p;
     }
     return kNoPosition;
   }
   const auto first_behind = std::pair(vertex, after + 1);
   for (auto it = std::lower_bound(positions_.begin(), positions_.end(), first_behind);
        it != positions_.end() && it->first == vertex; ++it) {
-    if (leads_to(graph_, corners_[it->second], partner)) return it->second;
+    if (leads_back(it->second, partner)) return it->second;
   }
   return kNoPosition;
 }
@@ -130,10 +142,9 @@ void PolygonFaceSolver::lay_out_backward_cells() {
   row_cell_.resize(size);
 }
 
-PolygonFaceOutcome PolygonFaceSolver::compute_cells(
-    const std::optional<std::chrono::steady_clock::time_point>& deadline) {
+PolygonFaceOutcome PolygonFaceSolver::compute_cells(const Deadline& deadline) {
   for (auto from = static_cast<Position>(corners_.size() - 1); from-- > 0;) {
-    const bool late = deadline && corners_.size() > kSmallFace && std::chrono::steady_clock::now() >= *deadline;
+    const bool late = corners_.size() > kSmallFace && has_passed(deadline);
     if (late) return PolygonFaceOutcome::out_of_time;
     compute_row(from);
   }

@@ -6,12 +6,11 @@
 // T. Klincsek 1980), restricted to candidates, is exact, with slits and repeated vertices as well.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "algorithms/exact/face_walk.h"
 #include "geometry/double_double.h"
 #include "geometry/weight.h"
@@ -52,8 +51,7 @@ class PolygonFaceSolver {
 
   /// Adds the face's optimal triangulation to `result`, unless the outcome is another than `solved`.
   /// Precondition: at least 3 corners.
-  PolygonFaceOutcome solve(std::span<const Corner> corners,
-                           const std::optional<std::chrono::steady_clock::time_point>& deadline, FaceTriangles& result);
+  PolygonFaceOutcome solve(std::span<const Corner> corners, const Deadline& deadline, FaceTriangles& result);
 
   [[nodiscard]] const PolygonFaceCounters& counters() const { return counters_; }
 
@@ -80,9 +78,10 @@ class PolygonFaceSolver {
   PolygonFaceOutcome solve_quadrilateral(FaceTriangles& result);
   [[nodiscard]] bool collect_cells();
   void collect_positions_of_vertices();
-  [[nodiscard]] Position find_position(Index vertex, Position after, Index partner) const;
+  [[nodiscard]] bool leads_back(Position position, Index partner);
+  [[nodiscard]] Position find_position(Index vertex, Position after, Index partner);
   void lay_out_backward_cells();
-  [[nodiscard]] PolygonFaceOutcome compute_cells(const std::optional<std::chrono::steady_clock::time_point>& deadline);
+  [[nodiscard]] PolygonFaceOutcome compute_cells(const Deadline& deadline);
   void compute_row(Position from);
   [[nodiscard]] bool find_best_option(Position from, Cell cell, Option& best);
   [[nodiscard]] Option best_of_close_options(Position from, Cell cell, double threshold);
@@ -104,6 +103,7 @@ class PolygonFaceSolver {
 
   std::span<const Corner> corners_;
   std::vector<std::pair<Index, Position>> positions_;  // of the vertices, sorted; large faces only
+  std::vector<std::uint32_t> passed_;                  // by position: its candidates before the last one asked for
 
   // Cells (i, j), i < j, row by row, ascending j: boundary edges and candidates.
   std::vector<Cell> first_;

@@ -11,10 +11,6 @@ namespace mwt {
 
 namespace {
 
-using Deadline = std::optional<std::chrono::steady_clock::time_point>;
-
-bool has_passed(const Deadline& deadline) { return deadline && std::chrono::steady_clock::now() >= *deadline; }
-
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 // An edge as one of its ends sees it.

@@ -1,12 +1,12 @@
 // The triangles that a triangulation of a region may consist of.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "geometry/triangulation.h"
 
 namespace mwt {
@@ -21,8 +21,7 @@ namespace mwt {
 /// area k-gons", Discrete & Computational Geometry 7 (1992): the points under each edge are counted once, and those in
 /// a triangle are a difference of three such counts. Exact. Time: for every side, the points between its ends in
 /// lexicographic order and the sides at its second end; space O(sides) and the result.
-[[nodiscard]] std::optional<std::vector<Triangle>> region_triangles(
-    Points points, std::span<const Edge> sides, std::size_t limit,
-    const std::optional<std::chrono::steady_clock::time_point>& deadline);
+[[nodiscard]] std::optional<std::vector<Triangle>> region_triangles(Points points, std::span<const Edge> sides,
+                                                                    std::size_t limit, const Deadline& deadline);
 
 }  // namespace mwt

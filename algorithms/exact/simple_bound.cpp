@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
@@ -9,12 +10,9 @@
 
 namespace mwt {
 
-BoundedTriangulation delaunay_with_lower_bound(Points points) {
-  BoundedTriangulation result{delaunay_triangulation(points), {}};
-  LengthSum weight;
+double simple_lower_bound(Points points) {
   std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
-  for (const auto& [a, b] : edges_of(result.triangulation)) {
-    weight.add(points[a], points[b]);
+  for (const auto& [a, b] : edges_of(delaunay_triangulation(points))) {
     const double shortest = enclose(length(points[a], points[b]), 8 * kDoubleDoubleError).lower;
     nearest[a] = std::min(nearest[a], shortest);
     nearest[b] = std::min(nearest[b], shortest);
@@ -24,8 +22,7 @@ BoundedTriangulation delaunay_with_lower_bound(Points points) {
   double bound = 0;
   for (std::size_t p = 0; p < points.size(); ++p)
     bound = std::max(0.0, next_down(bound + next_down(half_edges[p] * nearest[p])));
-  result.optimum = {bound, weight.enclosure().upper};
-  return result;
+  return bound;
 }
 
 }  // namespace mwt

@@ -97,8 +97,7 @@ std::vector<std::uint32_t> edges_by_length(const CoverModel& model) {
 
 }  // namespace
 
-void balance_credits(const CoverModel& model, CoverCredits& credits,
-                     const std::optional<std::chrono::steady_clock::time_point>& deadline) {
+void balance_credits(const CoverModel& model, CoverCredits& credits, const Deadline& deadline) {
   SideBalance balance(model, credits);
   std::vector<std::uint32_t> order = edges_by_length(model);
   double last = balance.boundary_credit();
@@ -107,7 +106,7 @@ void balance_credits(const CoverModel& model, CoverCredits& credits,
     for (const std::uint32_t edge : order) balance.balance(edge);
     std::reverse(order.begin(), order.end());  // news travels both ways
     const double credit = balance.boundary_credit();
-    const bool late = deadline && std::chrono::steady_clock::now() >= *deadline;
+    const bool late = has_passed(deadline);
     if (late || std::abs(credit - last) <= kNegligibleGain * credit) break;
     last = credit;
   }

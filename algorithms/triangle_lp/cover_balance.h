@@ -1,6 +1,7 @@
 // Good credits before any linear program is solved, by balancing the two sides of every edge.
 #pragma once
 
+#include "algorithms/deadline.h"
 #include "algorithms/triangle_lp/cover_model.h"
 
 namespace mwt {
@@ -12,7 +13,6 @@ namespace mwt {
 /// reduced costs on both sides are equal; every boundary edge takes what its triangle can still give.
 ///
 /// O(columns) per sweep over the edges, at most 20,000 sweeps and 10^9 columns. Deterministic, except for the deadline.
-void balance_credits(const CoverModel& model, CoverCredits& credits,
-                     const std::optional<std::chrono::steady_clock::time_point>& deadline);
+void balance_credits(const CoverModel& model, CoverCredits& credits, const Deadline& deadline);
 
 }  // namespace mwt

@@ -19,8 +19,6 @@ namespace mwt {
 /// restriction feasible, and costs so much that it is only used where no cover obeys the decisions.
 class CoverProgram {
  public:
-  using Deadline = LinearProgram::Deadline;
-
   /// Begins with `credits` as the dual solution and with `first_columns`.
   CoverProgram(const CoverModel& model, CoverCredits credits, std::span<const std::uint32_t> first_columns,
                const Deadline& deadline);

@@ -22,13 +22,13 @@ int swallow_message(void*, const char*) { return 1; }
 glp_prob* glpk(void* problem) { return static_cast<glp_prob*>(problem); }
 
 // What is left until the deadline in milliseconds, as GLPK wants it.
-int time_limit_ms(const LinearProgram::Deadline& deadline) {
+int time_limit_ms(const Deadline& deadline) {
   if (!deadline) return INT_MAX;
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - std::chrono::steady_clock::now());
   return static_cast<int>(std::clamp<long long>(left.count(), 1, INT_MAX));
 }
 
-glp_smcp simplex_options(LinearProgram::Method method, const LinearProgram::Deadline& deadline) {
+glp_smcp simplex_options(LinearProgram::Method method, const Deadline& deadline) {
   glp_smcp options;
   glp_init_smcp(&options);
   options.msg_lev = GLP_MSG_OFF;
@@ -128,7 +128,7 @@ bool LinearProgram::run_simplex(Method method, const Deadline& deadline) {
 bool LinearProgram::solve(Method method, const Deadline& deadline) {
   if (run_simplex(method, deadline)) return true;
   // The last basis may have become singular: once more from the rows' own variables.
-  const bool in_time = !deadline || std::chrono::steady_clock::now() < *deadline;
+  const bool in_time = !has_passed(deadline);
   return in_time && guarded([](glp_prob* problem) { glp_std_basis(problem); }) && run_simplex(Method::dual, deadline);
 }
 

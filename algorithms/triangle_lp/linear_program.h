@@ -1,10 +1,11 @@
 // A linear program that grows by rows and columns: the only door to GLPK.
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "algorithms/deadline.h"
 
 namespace mwt {
 
@@ -22,8 +23,6 @@ class LinearProgram {
     double value;
   };
   enum class Method { primal, dual };
-  using Deadline = std::optional<std::chrono::steady_clock::time_point>;
-
   LinearProgram();
   ~LinearProgram();
   LinearProgram(const LinearProgram&) = delete;

@@ -89,7 +89,7 @@ class CoverSearch {
   [[nodiscard]] double enough() const { return upper() * (1 - kPruningGap); }
 
   bool past_deadline() {
-    if (problem_.deadline && std::chrono::steady_clock::now() >= *problem_.deadline) best_.stopped_early = true;
+    if (has_passed(problem_.deadline)) best_.stopped_early = true;
     return best_.stopped_early;
   }
 

@@ -10,12 +10,11 @@
 // Mathematical Programming 31 (1985).
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "geometry/interval.h"
 #include "geometry/triangulation.h"
 
@@ -29,7 +28,7 @@ struct TriangleCoverProblem {
   std::span<const Triangle> triangles;  ///< candidates, counter-clockwise, empty of points
   std::span<const Edge> boundary;       ///< directed a -> b (not ordered a < b)
   std::size_t triangle_count = 0;       ///< how many triangles every exact cover has
-  std::optional<std::chrono::steady_clock::time_point> deadline{};
+  Deadline deadline{};
   /// A cover by candidates (with the same order of corners), if one is known: it saves time.
   std::span<const Triangle> start{};
 };

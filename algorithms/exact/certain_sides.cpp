@@ -1,0 +1,97 @@
+#include "algorithms/exact/certain_sides.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace mwt {
+
+namespace {
+
+void sort_and_remove_duplicates(std::vector<Edge>& edges) {
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
+std::vector<Edge> sides_of(std::span<const Triangle> triangles) {
+  std::vector<Edge> sides;
+  for (const Triangle& triangle : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const Edge side = directed_edge(triangle, i);
+      sides.push_back(make_edge(side.a, side.b));
+    }
+  }
+  return sides;
+}
+
+// Counts for each halfedge the triangles' angles that contain it, borders excluded.
+class StraddleCount {
+ public:
+  explicit StraddleCount(const CandidateGraph& graph)
+      : graph_(graph), place_(graph.points.size()), count_(graph.target.size(), 0) {}
+
+  std::vector<std::uint32_t> run(std::span<const Triangle> triangles) {
+    file_angles(triangles);
+    for (Index v = 0; v < graph_.points.size(); ++v) {
+      const auto star = graph_.star(v);
+      for (std::uint32_t i = 0; i < star.size(); ++i) place_[star[i]] = i;
+      for (std::uint32_t i = first_[v]; i < first_[v + std::size_t{1}]; ++i) count_inside(v, angles_[i]);
+    }
+    return std::move(count_);
+  }
+
+ private:
+  // At a corner: from the edge to a counter-clockwise to the edge to b.
+  void file_angles(std::span<const Triangle> triangles) {
+    first_.assign(graph_.points.size() + 1, 0);
+    for (const Triangle& triangle : triangles) {
+      for (const Index corner : triangle) ++first_[corner + std::size_t{1}];
+    }
+    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    angles_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const Triangle& triangle : triangles) {
+      for (int i = 0; i < 3; ++i) angles_[next[triangle[static_cast<std::size_t>(i)]]++] = directed_edge(triangle, i);
+    }
+  }
+
+  void count_inside(Index v, const Edge& angle) {
+    const auto degree = static_cast<std::uint32_t>(graph_.star(v).size());
+    const std::uint32_t end = place_[angle.b];
+    for (std::uint32_t i = (place_[angle.a] + 1) % degree; i != end; i = (i + 1) % degree)
+      ++count_[graph_.first[v] + i];
+  }
+
+  const CandidateGraph& graph_;
+  std::vector<std::uint32_t> first_;  // angles at v: angles_[first_[v]] .. angles_[first_[v + 1]]
+  std::vector<Edge> angles_;
+  std::vector<std::uint32_t> place_;  // in the star at hand, by the other end
+  std::vector<std::uint32_t> count_;
+};
+
+}  // namespace
+
+CandidateGraph graph_of_sides(Points points, std::span<const Triangle> triangles, std::span<const Edge> boundary) {
+  std::vector<Edge> certain;
+  for (const Edge& edge : boundary) certain.push_back(make_edge(edge.a, edge.b));
+  std::vector<Edge> edges = sides_of(triangles);
+  edges.insert(edges.end(), certain.begin(), certain.end());
+  sort_and_remove_duplicates(edges);
+  CandidateGraph graph = make_candidate_graph(points, edges, {});
+  const std::vector<std::uint32_t> straddles = StraddleCount(graph).run(triangles);
+  for (Index v = 0; v < points.size(); ++v) {
+    for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
+      if (straddles[h] == 0) certain.push_back(make_edge(v, graph.target[h]));
+    }
+  }
+  sort_and_remove_duplicates(certain);
+  for (Index v = 0; v < points.size(); ++v) {
+    for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
+      const bool is_certain = std::binary_search(certain.begin(), certain.end(), make_edge(v, graph.target[h]));
+      graph.certain[h] = is_certain ? 1 : 0;
+    }
+  }
+  return graph;
+}
+
+}  // namespace mwt
