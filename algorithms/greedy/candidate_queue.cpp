@@ -21,11 +21,7 @@ int bits_of(std::uint64_t value) { return static_cast<int>(std::bit_width(value)
 }  // namespace
 
 void EdgeSorter::sort(std::span<const MeshEdge> edges) {
-  sort_by_rounded_length(edges);
-  sort_undecided_runs();
-}
-
-void EdgeSorter::sort_by_rounded_length(std::span<const MeshEdge> edges) {
+  decided_ = 0;
   // The bits of non-negative doubles order like the doubles.
   keys_.resize(edges.size());
   std::uint64_t largest_bits = 0;
@@ -59,11 +55,23 @@ bool EdgeSorter::surely_increases(std::size_t i) const {
   return trusted && ((here - before - 1) << dropped_bits_) >= kSafeUlps;
 }
 
-void EdgeSorter::sort_undecided_runs() {
-  for (std::size_t first = 0, last = 1; first < keys_.size(); first = last++) {
-    while (last < keys_.size() && !surely_increases(last)) ++last;
-    if (last - first > 1) sort_exactly(first, last);
-  }
+EdgeSorter::Run EdgeSorter::next_run() const {
+  std::size_t last = decided_ + 1;
+  while (last < keys_.size() && !surely_increases(last)) ++last;
+  constexpr double kMargin = 1e-14;  // rounded lengths err by less than 4.5e-16 of themselves
+  const double least = rounded_down(keys_[decided_] >> kEdgeBits),
+               most = rounded_down((keys_[last - 1] >> kEdgeBits) + 1);
+  return {decided_, last, least * (1 - kMargin), most * (1 + kMargin)};
+}
+
+// The least squared length with these leading bits.
+double EdgeSorter::rounded_down(std::uint64_t leading_bits) const {
+  return std::bit_cast<double>(smallest_bits_ + (leading_bits << dropped_bits_));
+}
+
+void EdgeSorter::decide(const Run& run, bool any_order) {
+  decided_ = run.last;
+  if (!any_order && run.last - run.first > 1) sort_exactly(run.first, run.last);
 }
 
 void EdgeSorter::sort_exactly(std::size_t first, std::size_t last) {

@@ -38,14 +38,31 @@ class Candidate {
   EdgeKey key_;
 };
 
-/// Sorts mesh edges in greedy's order. O(n) for many edges: radix sort by squared length in floating point, then exact
-/// sorting within the runs that rounding leaves undecided. Keeps its buffers for the next call.
+/// Sorts mesh edges in greedy's order. O(n) for many edges: radix sort by squared length in floating point, then, run
+/// by run as the user comes to them, exact sorting of what rounding leaves undecided. Keeps its buffers for the next
+/// call.
 class EdgeSorter {
  public:
   EdgeSorter(const PlanarMesh& mesh, const EdgeOrder& order) : mesh_(mesh), order_(order) {}
 
-  /// Afterwards edge(0), edge(1), ... are `edges` in order.
+  /// Edges first .. last - 1 that rounding leaves undecided, maybe a single one. Between two bounds for their exact
+  /// squared lengths.
+  struct Run {
+    std::size_t first;
+    std::size_t last;
+    double least;
+    double most;
+  };
+
+  /// Afterwards edge(0), edge(1), ... are `edges`, in order up to decided() = 0.
   void sort(std::span<const MeshEdge> edges);
+
+  /// The run that begins at decided(). Precondition: decided() < size().
+  [[nodiscard]] Run next_run() const;
+
+  /// Moves decided() to the end of the run, whose edges are put in order unless any order will do.
+  void decide(const Run& run, bool any_order);
+  [[nodiscard]] std::size_t decided() const { return decided_; }
 
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
   [[nodiscard]] MeshEdge edge(std::size_t i) const { return static_cast<MeshEdge>(keys_[i] & kEdgeMask); }
@@ -54,10 +71,9 @@ class EdgeSorter {
   static constexpr int kEdgeBits = 30;  // a mesh has fewer than 3 * 2^28 edges
   static constexpr std::uint64_t kEdgeMask = (std::uint64_t{1} << kEdgeBits) - 1;
 
-  void sort_by_rounded_length(std::span<const MeshEdge> edges);
-  void sort_undecided_runs();
   void sort_exactly(std::size_t first, std::size_t last);
   [[nodiscard]] bool surely_increases(std::size_t i) const;
+  [[nodiscard]] double rounded_down(std::uint64_t leading_bits) const;
 
   const PlanarMesh& mesh_;
   const EdgeOrder& order_;
@@ -66,6 +82,7 @@ class EdgeSorter {
   std::vector<EdgeKey> run_;
   std::uint64_t smallest_bits_ = 0;
   int dropped_bits_ = 0;
+  std::size_t decided_ = 0;
 };
 
 /// A priority queue of candidates that came up on the way, for use in increasing order: nothing is pushed that precedes

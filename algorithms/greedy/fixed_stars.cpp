@@ -1,46 +1,46 @@
 #include "algorithms/greedy/fixed_stars.h"
 
-#include "geometry/predicates.h"
-
 namespace mwt {
 
-namespace {
-
-// Counter-clockwise about a centre, from the direction of the positive x-axis, included.
-bool turns_before(const Point& centre, const Point& p, const Point& q) {
-  const auto in_upper_half = [&](const Point& a) { return a.y > centre.y || (a.y == centre.y && a.x > centre.x); };
-  const bool p_upper = in_upper_half(p), q_upper = in_upper_half(q);
-  if (p_upper != q_upper) return p_upper;
-  return orientation(centre, p, q) > 0;
+FixedStars::Neighbours FixedStars::linked_neighbours(Halfedge h) {
+  if (is_linked_.empty()) {
+    is_linked_.resize(mesh_.point_count());
+    links_ = std::make_unique_for_overwrite<Neighbours[]>(2 * mesh_.edge_count());
+  }
+  if (!is_linked_[mesh_.origin(h)]) link_star(h);
+  return is_fixed(h) ? links_[h] : find_neighbours(h);
 }
 
-}  // namespace
-
-FixedStars::Star& FixedStars::star_of(Halfedge h) {
-  const Index centre = mesh_.origin(h);
-  if (const auto star = stars_.find(centre); star != stars_.end()) return star->second;
-  const auto by_direction = [this, centre](Halfedge a, Halfedge b) {
-    return turns_before(mesh_.point(centre), mesh_.point(mesh_.target(a)), mesh_.point(mesh_.target(b)));
-  };
-  Star& star = stars_.emplace(centre, Star(by_direction)).first->second;
-  Halfedge spoke = h;
-  do {
-    if (is_fixed(spoke)) star.insert(spoke);
-    spoke = mesh_.rotate_left(spoke);
-  } while (spoke != h);
-  return star;
+// Those of a halfedge that has no links itself: the nearer one by scanning, the other one by its links.
+FixedStars::Neighbours FixedStars::find_neighbours(Halfedge h) const {
+  Halfedge left = mesh_.rotate_left(h), right = mesh_.rotate_right(h);
+  while (!is_fixed(left) && !is_fixed(right)) {
+    left = mesh_.rotate_left(left);
+    right = mesh_.rotate_right(right);
+  }
+  return is_fixed(left) ? Neighbours{left, links_[left].right} : Neighbours{links_[right].left, right};
 }
 
-Halfedge FixedStars::left_in_set(Halfedge h) {
-  const Star& star = star_of(h);
-  const auto next = star.upper_bound(h);
-  return next == star.end() ? *star.begin() : *next;
+void FixedStars::link(Halfedge h) {
+  const Neighbours neighbours = find_neighbours(h);
+  links_[neighbours.left].right = h;
+  links_[neighbours.right].left = h;
+  links_[h] = neighbours;
 }
 
-Halfedge FixedStars::right_in_set(Halfedge h) {
-  const Star& star = star_of(h);
-  const auto at = star.lower_bound(h);
-  return at == star.begin() ? *star.rbegin() : *std::prev(at);
+// Links the fixed halfedges around the origin of h, of which there is at least one.
+void FixedStars::link_star(Halfedge h) {
+  is_linked_[mesh_.origin(h)] = true;
+  Halfedge first = h;
+  while (!is_fixed(first)) first = mesh_.rotate_left(first);
+  Halfedge before = first;
+  for (Halfedge spoke = mesh_.rotate_left(first);; spoke = mesh_.rotate_left(spoke)) {
+    if (!is_fixed(spoke)) continue;
+    links_[before].left = spoke;
+    links_[spoke].right = before;
+    before = spoke;
+    if (spoke == first) return;
+  }
 }
 
 }  // namespace mwt

@@ -1,9 +1,8 @@
 // The fixed edges around each vertex: who comes next, also at vertices with tens of thousands of edges.
 #pragma once
 
-#include <functional>
-#include <set>
-#include <unordered_map>
+#include <memory>
+#include <vector>
 
 #include "algorithms/greedy/greedy_marks.h"
 #include "algorithms/mesh/planar_mesh.h"
@@ -11,8 +10,9 @@
 namespace mwt {
 
 /// Finds the fixed neighbours of a halfedge in the rotation about its origin. Where a scan of the star takes more than
-/// a few steps, the vertex gets an ordered set of its fixed halfedges (which no flip moves), so that a query costs
-/// O(log degree) and wheels are no quadratic case.
+/// a few steps, the vertex gets links between its fixed halfedges (which no flip moves). A new one is found its place
+/// by scanning in both directions at once: that takes as many steps as there are edges on the nearer side, so that
+/// splitting a star of d edges again and again takes O(d log d) in all, and wheels are no quadratic case.
 class FixedStars {
  public:
   explicit FixedStars(const PlanarMesh& mesh) : mesh_(mesh) {}
@@ -24,34 +24,38 @@ class FixedStars {
     for (int steps = 0; steps < kScanLimit; ++steps, other = mesh_.rotate_left(other)) {
       if (is_fixed(other)) return other;
     }
-    return left_in_set(h);
+    return linked_neighbours(h).left;
   }
   [[nodiscard]] Halfedge right_of(Halfedge h) {
     Halfedge other = mesh_.rotate_right(h);
     for (int steps = 0; steps < kScanLimit; ++steps, other = mesh_.rotate_right(other)) {
       if (is_fixed(other)) return other;
     }
-    return right_in_set(h);
+    return linked_neighbours(h).right;
   }
 
   [[nodiscard]] bool is_fixed(Halfedge h) const { return (mesh_.marks(edge_of(h)) & kFixedMark) != 0; }
 
   /// To be called for both halves of an edge once it is fixed.
   void add(Halfedge h) {
-    if (stars_.empty()) return;
-    if (const auto star = stars_.find(mesh_.origin(h)); star != stars_.end()) star->second.insert(h);
+    if (!is_linked_.empty() && is_linked_[mesh_.origin(h)]) link(h);
   }
 
  private:
   static constexpr int kScanLimit = 24;
-  using Star = std::set<Halfedge, std::function<bool(Halfedge, Halfedge)>>;
+  struct Neighbours {
+    Halfedge left;
+    Halfedge right;
+  };
 
-  [[nodiscard]] Halfedge left_in_set(Halfedge h);
-  [[nodiscard]] Halfedge right_in_set(Halfedge h);
-  [[nodiscard]] Star& star_of(Halfedge h);
+  [[nodiscard]] Neighbours linked_neighbours(Halfedge h);
+  [[nodiscard]] Neighbours find_neighbours(Halfedge h) const;
+  void link(Halfedge h);
+  void link_star(Halfedge h);
 
   const PlanarMesh& mesh_;
-  std::unordered_map<Index, Star> stars_;
+  std::vector<bool> is_linked_;          // by vertex; empty until the first one is
+  std::unique_ptr<Neighbours[]> links_;  // set for all fixed halfedges at linked vertices; others take no memory
 };
 
 }  // namespace mwt

@@ -49,7 +49,7 @@ AlgorithmInfo greedy_entry() {
       "greedy triangulation, IPL 25 (1987); C. Levcopoulos, D. Krznaric, Quasi-greedy triangulations approximating "
       "the minimum weight triangulation, J. Algorithms 27 (1998)";
   info.time = "O(n log n) in practice; about two Delaunay triangulations on uniform points";
-  info.space = "O(n), less than 180 bytes per point";
+  info.space = "O(n), less than 200 bytes per point";
   info.largest_n = 10'000'000;
   info.function = run_greedy;
   return info;

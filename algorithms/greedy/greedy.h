@@ -21,9 +21,9 @@ struct GreedyCounters {
 /// that makes this right, and its proof, are in README.md.
 /// Preconditions: distinct points, not all collinear, fewer than 2^28.
 /// Time O(n log n) in practice: about two of CGAL's Delaunay triangulations or less on uniform, clustered, lattice and
-/// log-radial points; of a million points 3.5 on a hexagonal lattice, whose lengths nearly tie, and four to five on a
-/// circle or along a spiral, where one face holds nearly all edges. An adversary can make edge insertions cost more.
-/// Less than 180 bytes per point, 250 where lengths nearly tie throughout. Deterministic.
+/// log-radial points and on a circle; for a million points three on wheels side by side, and five along a spiral, where
+/// fans between its turns are flipped again and again. An adversary can make edge insertions cost more.
+/// Less than 200 bytes per point. Deterministic.
 [[nodiscard]] Triangulation greedy_triangulation(Points points);
 
 /// Turns a mesh that is the Delaunay triangulation of its points into their greedy triangulation. At the deadline of

@@ -1,5 +1,7 @@
 #include "algorithms/greedy/greedy_builder.h"
 
+#include <algorithm>
+
 #include "algorithms/greedy/certified_edges.h"
 #include "geometry/predicates.h"
 
@@ -10,6 +12,7 @@ GreedyCounters GreedyBuilder::run() {
   for (MeshEdge e = 0; e < mesh_.edge_count() && !counters_.stopped_early; ++e) {
     if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) == 0) solve_face(e);
   }
+  counters_.ears += certain_ears_.inserted();
   counters_.flips = insertion_.flips();
   return counters_;
 }
@@ -18,97 +21,30 @@ GreedyCounters GreedyBuilder::run() {
 void GreedyBuilder::fix_certain_edges() {
   for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
     if (mesh_.is_hull(e) || is_certainly_greedy(mesh_, e)) mesh_.marks(e) |= kFixedMark;
+    least_squared_length_ = std::min(least_squared_length_, mesh_.record(e).squared_length);
   }
 }
 
 // Fixed edges cut the plane into faces that do not influence each other: the one with e inside is brought to its
-// greedy triangulation, while all it touches stays in the cache.
+// greedy triangulation, while all it touches stays in the cache. Of a face that no cache holds, certain ears leave less
+// to be done in the order of length; what else they leave than the face with e is found later.
 void GreedyBuilder::solve_face(MeshEdge e) {
   collect_face(e);
-  if (face_.size() > large_face_) {
-    break_up_face();
-  } else {
-    work_off_queue();
-  }
-}
-
-// A face that no cache holds: certain ears, found in the order of memory, leave less to be done in the order of length.
-void GreedyBuilder::break_up_face() {
-  const std::vector<MeshEdge> all = std::move(face_);
-  constexpr std::size_t kTrial = 4096;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    fix_certain_ears_at(all[i]);
-    const bool is_worthwhile = i < kTrial || 16 * certain_ears_ > i;
-    if (!is_worthwhile) break;
-  }
-  for (const MeshEdge e : all) mesh_.marks(e) &= ~kFaceMark;
-  for (const MeshEdge e : all) {
-    if (counters_.stopped_early) return;
-    if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) != 0) continue;
+  const bool is_new = (mesh_.marks(e) & kEarsTakenMark) == 0;
+  if (face_.size() > large_face_ && is_new) {
+    take_certain_ears();
+    if (counters_.stopped_early || (mesh_.marks(e) & kFixedMark) != 0) return;
     collect_face(e);
-    work_off_queue();
   }
+  start_queue();
+  empty_queue();
 }
 
-// Those in the two triangles at e, and all to which they lead.
-void GreedyBuilder::fix_certain_ears_at(MeshEdge e) {
-  if ((mesh_.marks(e) & kFixedMark) != 0) return;
-  for (const Halfedge h : {2 * e, 2 * e + 1}) {
-    const Halfedge right = mesh_.rotate_right(h), across = mesh_.previous(h);
-    if (stars_.is_fixed(right)) wedges_.push_back(right);
-    if (stars_.is_fixed(across) && stars_.is_fixed(mesh_.next(h))) wedges_.push_back(across);
-  }
-  while (!wedges_.empty()) {
-    if (++steps_ % 4096 == 0 && context_.deadline_passed()) counters_.stopped_early = true;
-    const Halfedge first = wedges_.back();
-    wedges_.pop_back();
-    const Wedge wedge{first, stars_.left_of(first)};
-    if (!counters_.stopped_early && is_open(wedge) && is_certain_ear(mesh_, order_, wedge)) take_certain_ear(wedge);
-  }
-}
-
-// Whether the wedge's third side is yet to be fixed or to be found.
-bool GreedyBuilder::is_open(const Wedge& wedge) const {
-  if (wedge.first == wedge.last) return false;
-  const bool is_triangle = mesh_.rotate_left(wedge.first) == wedge.last;
-  return !is_triangle || (mesh_.marks(edge_of(mesh_.next(wedge.first))) & kFixedMark) == 0;
-}
-
-void GreedyBuilder::take_certain_ear(const Wedge& wedge) {
-  ++certain_ears_;
-  if (mesh_.rotate_left(wedge.first) == wedge.last) return fix_certain(edge_of(mesh_.next(wedge.first)));
-  ++counters_.ears;
-  const MeshEdge inserted = insertion_.insert(wedge);
-  fix_certain(inserted);
-  for (const MeshEdge e : insertion_.inner()) fix_certain_around(e);
-  fix_certain_around(inserted);
-}
-
-void GreedyBuilder::fix_certain_around(MeshEdge e) {
-  const auto fix_if_certain = [this](MeshEdge edge) {
-    if ((mesh_.marks(edge) & kFixedMark) == 0 && is_certainly_greedy(mesh_, edge)) fix_certain(edge);
-  };
-  fix_if_certain(e);
-  for (const Halfedge h : {2 * e, 2 * e + 1}) {
-    fix_if_certain(edge_of(mesh_.next(h)));
-    fix_if_certain(edge_of(mesh_.previous(h)));
-  }
-}
-
-void GreedyBuilder::fix_certain(MeshEdge e) {
-  mesh_.marks(e) |= kFixedMark;
-  stars_.add(2 * e);
-  stars_.add(2 * e + 1);
-  look_around(e);
-}
-
-// The wedges on both sides of a new fixed edge at both of its ends are to be looked at, and those that share their
-// outer sides: what stood against an ear there may be hidden now.
-void GreedyBuilder::look_around(MeshEdge e) {
-  for (const Halfedge h : {2 * e, 2 * e + 1}) {
-    const Halfedge right = stars_.right_of(h), left = stars_.left_of(h);
-    wedges_.insert(wedges_.end(), {twin(left), stars_.right_of(twin(right)), h, right});
-  }
+void GreedyBuilder::take_certain_ears() {
+  sort_face();
+  for (const MeshEdge e : face_) mesh_.marks(e) |= kEarsTakenMark;
+  counters_.stopped_early = !certain_ears_.take(face_);
+  for (const MeshEdge e : face_) mesh_.marks(e) &= ~kFaceMark;
 }
 
 // All edges that can be reached from e through triangles without crossing a fixed edge.
@@ -127,19 +63,21 @@ void GreedyBuilder::collect_face(MeshEdge e) {
   }
 }
 
-void GreedyBuilder::work_off_queue() {
-  start_queue();
-  empty_queue();
+// Into the order of memory. All faces before this one are done: their edges are fixed.
+void GreedyBuilder::sort_face() {
+  const bool is_small = 16 * face_.size() < mesh_.edge_count();
+  if (is_small) return std::sort(face_.begin(), face_.end());
+  face_.clear();
+  for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
+    if ((mesh_.marks(e) & (kFaceMark | kFixedMark)) == kFaceMark) face_.push_back(e);
+  }
 }
 
 void GreedyBuilder::start_queue() {
-  candidates_.clear();
-  for (const MeshEdge inside : face_) {
-    if (!is_candidate(inside)) continue;
-    mesh_.marks(inside) |= kCandidateMark;
-    candidates_.push_back(inside);
-  }
-  sorted_.sort(candidates_);
+  const auto others = std::partition(face_.begin(), face_.end(), [this](MeshEdge e) { return is_candidate(e); });
+  const std::span<const MeshEdge> candidates(face_.begin(), others);
+  for (const MeshEdge inside : candidates) mesh_.marks(inside) |= kCandidateMark;
+  sorted_.sort(candidates);
   for (const MeshEdge inside : face_) {
     for (const Halfedge spoke : {2 * inside, 2 * inside + 1}) {
       const Halfedge right = mesh_.rotate_right(spoke);
@@ -157,6 +95,7 @@ void GreedyBuilder::empty_queue() {
       return;
     }
     if (next < sorted_.size() && next >= fetched_) fetch_ahead(next);
+    if (next < sorted_.size() && next == sorted_.decided()) decide_order();
     if (next < sorted_.size() && is_settled(sorted_.edge(next))) {
       ++next;
     } else if (next < sorted_.size() && comes_first(sorted_.edge(next))) {
@@ -165,6 +104,17 @@ void GreedyBuilder::empty_queue() {
       take_from_heap();
     }
   }
+}
+
+// Of edges that rounded lengths do not tell apart: any order will do if all ears are longer, those to come included
+// (lemma 5).
+void GreedyBuilder::decide_order() {
+  const EdgeSorter::Run run = sorted_.next_run();
+  constexpr double kMargin = 1e-5;  // for the rounding of floats
+  const double least = static_cast<double>(least_squared_length_) * (1 - kMargin);
+  const bool later_ears_are_longer = run.most - run.least < least;
+  const bool ears_are_longer = heap_.empty() || heap_.top().key().squared_length.high > run.most;
+  sorted_.decide(run, later_ears_are_longer && ears_are_longer);
 }
 
 // Edges come in the order of length, from everywhere: bring what the coming ones need into the cache, first their
@@ -273,8 +223,9 @@ void GreedyBuilder::take_from_heap() {
 
 void GreedyBuilder::fix(MeshEdge e) {
   mesh_.marks(e) |= kFixedMark;
+  stars_.add(2 * e);
+  stars_.add(2 * e + 1);
   for (const Halfedge h : {2 * e, 2 * e + 1}) {
-    stars_.add(h);
     look_for_ear({stars_.right_of(h), h});
     look_for_ear({h, stars_.left_of(h)});
   }

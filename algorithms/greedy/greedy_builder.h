@@ -1,10 +1,12 @@
 // Turns a Delaunay triangulation into the greedy triangulation: the method of README.md.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "algorithms/algorithm.h"
 #include "algorithms/greedy/candidate_queue.h"
+#include "algorithms/greedy/certain_ears.h"
 #include "algorithms/greedy/ear_insertion.h"
 #include "algorithms/greedy/fixed_stars.h"
 #include "algorithms/greedy/greedy.h"
@@ -24,25 +26,20 @@ class GreedyBuilder {
         sorted_(mesh, order_),
         heap_(order_),
         stars_(mesh),
-        insertion_(mesh, stars_) {}
+        insertion_(mesh, stars_),
+        certain_ears_(mesh, order_, stars_, insertion_, context) {}
 
   GreedyCounters run();
 
  private:
   void fix_certain_edges();
-  void break_up_face();
-  void fix_certain_ears_at(MeshEdge e);
-  [[nodiscard]] bool is_open(const Wedge& wedge) const;
-  void take_certain_ear(const Wedge& wedge);
-  void fix_certain_around(MeshEdge e);
-  void fix_certain(MeshEdge e);
-  void look_around(MeshEdge e);
-
   void solve_face(MeshEdge e);
   void collect_face(MeshEdge e);
-  void work_off_queue();
+  void take_certain_ears();
+  void sort_face();
   void start_queue();
   void empty_queue();
+  void decide_order();
   void fetch_ahead(std::size_t next);
   void fetch_ears_ahead() const;
 
@@ -70,12 +67,11 @@ class GreedyBuilder {
   CandidateHeap heap_;
   FixedStars stars_;
   EarInsertion insertion_;
+  CertainEars certain_ears_;
   GreedyCounters counters_;
   std::uint64_t steps_ = 0;
-  std::vector<Halfedge> wedges_;  // to be looked at for certain ears; their first halfedges
-  std::size_t certain_ears_ = 0;
+  float least_squared_length_ = std::numeric_limits<float>::infinity();
   std::vector<MeshEdge> face_;
-  std::vector<MeshEdge> candidates_;
   std::size_t fetched_ = 0;
 };
 

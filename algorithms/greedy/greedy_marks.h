@@ -12,8 +12,11 @@ inline constexpr std::array<std::uint32_t, 2> kWatchedMarks = {8, 16};  // the h
 inline constexpr std::uint32_t kInnerMark = 32;                         // lies inside the region being restored
 inline constexpr std::uint32_t kFaceMark = 64;                          // its face is being or has been solved
 inline constexpr std::uint32_t kCandidateMark = 128;                    // waits in the queue
+inline constexpr std::array<std::uint32_t, 2> kCornerMarks = {256, 512};  // the halfedge begins at a corner of its face
+inline constexpr std::uint32_t kEarsTakenMark = 1024;                     // certain ears of its face have been taken
 
-inline constexpr std::uint32_t kGreedyMarks =
-    kFixedMark | kFlippedMark | kWatchedMarks[0] | kWatchedMarks[1] | kInnerMark | kFaceMark | kCandidateMark;
+inline constexpr std::uint32_t kGreedyMarks = kFixedMark | kFlippedMark | kWatchedMarks[0] | kWatchedMarks[1] |
+                                              kInnerMark | kFaceMark | kCandidateMark | kCornerMarks[0] |
+                                              kCornerMarks[1] | kEarsTakenMark;
 
 }  // namespace mwt

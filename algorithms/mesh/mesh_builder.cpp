@@ -117,16 +117,13 @@ void MeshBuilder::link_edges() {
 }
 
 void MeshBuilder::link_outer_face() {
-  std::vector<std::pair<Index, Halfedge>> by_origin;
-  by_origin.reserve(outer_.size());
+  std::vector<Halfedge> by_origin(mesh_.points_.size());
   for (const Halfedge h : outer_) {
     mesh_.edges_[edge_of(h)].marks = kHullMark;
-    by_origin.emplace_back(mesh_.origin(h), h);
+    by_origin[mesh_.origin(h)] = h;
   }
-  std::sort(by_origin.begin(), by_origin.end());
   for (const Halfedge h : outer_) {
-    const auto place = std::lower_bound(by_origin.begin(), by_origin.end(), std::pair{mesh_.target(h), Halfedge{0}});
-    const Halfedge following = place->second;
+    const Halfedge following = by_origin[mesh_.target(h)];
     mesh_.edges_[edge_of(h)].next[h & 1] = following;
     mesh_.edges_[edge_of(following)].previous[following & 1] = h;
   }
