@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "algorithms/mesh/planar_mesh.h"
+
 namespace mwt {
 
 inline constexpr std::uint32_t kFixedMark = 2;                          // chosen by greedy
@@ -18,5 +20,6 @@ inline constexpr std::uint32_t kEarsTakenMark = 1024;                     // cer
 inline constexpr std::uint32_t kGreedyMarks = kFixedMark | kFlippedMark | kWatchedMarks[0] | kWatchedMarks[1] |
                                               kInnerMark | kFaceMark | kCandidateMark | kCornerMarks[0] |
                                               kCornerMarks[1] | kEarsTakenMark;
+static_assert((kGreedyMarks & (kHullMark | kLastingMarks)) == 0);
 
 }  // namespace mwt

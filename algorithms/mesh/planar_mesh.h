@@ -27,10 +27,12 @@ struct alignas(32) EdgeRecord {
   std::array<Halfedge, 2> next;      ///< the following halfedge of the same face
   std::array<Halfedge, 2> previous;  ///< the one before
   float squared_length;              ///< rounded; may be 0 or infinite for extreme coordinates
-  std::uint32_t marks;               ///< bits: kHullMark, others at the algorithms' disposal
+  std::uint32_t marks;               ///< bits: kHullMark, kLastingMarks, others at the disposal of whoever works on it
 };
 
 inline constexpr std::uint32_t kHullMark = 1;
+/// For what one algorithm tells the next, such as walls: no algorithm uses these bits for itself.
+inline constexpr std::uint32_t kLastingMarks = 0xFFFF0000;
 
 /// A triangulation of the convex hull of its points, with links from each halfedge to its neighbours.
 ///

@@ -6,7 +6,8 @@
 namespace mwt {
 
 /// Mark of an edge known to be in every minimum weight triangulation.
-inline constexpr std::uint32_t kWallMark = 256;
+inline constexpr std::uint32_t kWallMark = 1U << 16;
+static_assert((kWallMark & kLastingMarks) != 0);
 
 /// Marks the edges of the beta-skeleton for beta = 1.17682: S.-W. Cheng, Y.-F. Xu, "On beta-skeleton as a subgraph of
 /// the minimum weight triangulation", Theoretical Computer Science 262 (2001). In the Delaunay triangulation they are
