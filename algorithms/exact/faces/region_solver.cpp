@@ -142,13 +142,14 @@ class DividedRegion {
   void solve_polygons() {
     const FaceWalker walker(graph_);
     std::vector<bool> has_certain_edge(graph_.points.size());
-    Walk walk;
+    std::vector<bool> is_walked(graph_.target.size());
     for_each_halfedge([&](Index v, std::uint32_t h) {
       if (graph_.certain[h] == 0) return;
       has_certain_edge[v] = true;
-      const bool is_owner =
-          is_inside({v, graph_.target[h]}) && walker.walk(v, h, graph_.target.size(), walk) == WalkEnd::closed;
-      if (is_owner) solve_walk(walk);
+      if (is_walked[h] || !is_inside({v, graph_.target[h]})) return;
+      const Walk walk = walker.corners_of_face(v, h);
+      for (const Corner& corner : walk) is_walked[corner.halfedge] = true;
+      solve_walk(walk);
     });
     for (Index v = 0; v < graph_.points.size(); ++v) {
       if (!has_certain_edge[v]) isolated_.push_back(v);
