@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "algorithms/triangle_lp/cover_balance.h"
 #include "algorithms/triangle_lp/cover_flow.h"
 #include "algorithms/triangle_lp/cover_model.h"
 #include "algorithms/triangle_lp/cover_program.h"
+#include "geometry/undirected_edges.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -21,14 +23,6 @@ constexpr double kPruningGap = 2e-13;
 // So few columns need no selection.
 constexpr std::size_t kFew = 500;
 
-std::vector<Edge> undirected(std::span<const Edge> edges) {
-  std::vector<Edge> result;
-  for (const Edge& edge : edges) result.push_back(make_edge(edge.a, edge.b));
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
-
 Interval total_length(Points points, const std::vector<Edge>& edges) {
   LengthSum sum;
   for (const Edge& edge : edges) sum.add(points[edge.a], points[edge.b]);
@@ -40,7 +34,7 @@ Interval weight_of_cover(Points points, const std::vector<Triangle>& triangles) 
   for (const Triangle& triangle : triangles) {
     for (int i = 0; i < 3; ++i) sides.push_back(directed_edge(triangle, i));
   }
-  return total_length(points, undirected(sides));
+  return total_length(points, undirected_edges(std::move(sides)));
 }
 
 // Depth-first search over decisions on edges that the relaxation uses in part.
@@ -53,7 +47,8 @@ class CoverSearch {
         credits_(credits_of_cover(model_, problem.points, problem.start)) {}
 
   TriangleCover run() {
-    const double certain = total_length(problem_.points, undirected(problem_.boundary)).lower;
+    const double certain =
+        total_length(problem_.points, undirected_edges({problem_.boundary.begin(), problem_.boundary.end()})).lower;
     reduce();
     if (lower_ < enough() && !past_deadline()) {
       program_.emplace(model_, credits_, promising_columns(10), problem_.deadline);

@@ -2,27 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "geometry/undirected_edges.h"
 
 namespace mwt {
 
 namespace {
-
-void sort_and_remove_duplicates(std::vector<Edge>& edges) {
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-}
-
-std::vector<Edge> sides_of(std::span<const Triangle> triangles) {
-  std::vector<Edge> sides;
-  for (const Triangle& triangle : triangles) {
-    for (int i = 0; i < 3; ++i) {
-      const Edge side = directed_edge(triangle, i);
-      sides.push_back(make_edge(side.a, side.b));
-    }
-  }
-  return sides;
-}
 
 // Counts for each halfedge the triangles' angles that contain it, borders excluded.
 class StraddleCount {
@@ -72,19 +59,19 @@ class StraddleCount {
 }  // namespace
 
 CandidateGraph graph_of_sides(Points points, std::span<const Triangle> triangles, std::span<const Edge> boundary) {
-  std::vector<Edge> certain;
-  for (const Edge& edge : boundary) certain.push_back(make_edge(edge.a, edge.b));
-  std::vector<Edge> edges = sides_of(triangles);
-  edges.insert(edges.end(), certain.begin(), certain.end());
-  sort_and_remove_duplicates(edges);
-  CandidateGraph graph = make_candidate_graph(points, edges, {});
+  std::vector<Edge> certain(boundary.begin(), boundary.end());
+  std::vector<Edge> sides = certain;
+  for (const Triangle& triangle : triangles) {
+    for (int i = 0; i < 3; ++i) sides.push_back(directed_edge(triangle, i));
+  }
+  CandidateGraph graph = make_candidate_graph(points, undirected_edges(std::move(sides)), {});
   const std::vector<std::uint32_t> straddles = StraddleCount(graph).run(triangles);
   for (Index v = 0; v < points.size(); ++v) {
     for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
-      if (straddles[h] == 0) certain.push_back(make_edge(v, graph.target[h]));
+      if (straddles[h] == 0) certain.push_back({v, graph.target[h]});
     }
   }
-  sort_and_remove_duplicates(certain);
+  certain = undirected_edges(std::move(certain));
   for (Index v = 0; v < points.size(); ++v) {
     for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
       const bool is_certain = std::binary_search(certain.begin(), certain.end(), make_edge(v, graph.target[h]));

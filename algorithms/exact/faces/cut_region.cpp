@@ -1,10 +1,12 @@
 #include "algorithms/exact/faces/cut_region.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "algorithms/exact/faces/disjoint_sets.h"
 #include "algorithms/exact/faces/face_walk.h"
 #include "geometry/predicates.h"
+#include "geometry/undirected_edges.h"
 
 namespace mwt {
 
@@ -16,10 +18,8 @@ bool lies_below_or_left(const Point& p, const Point& q) { return p.y < q.y || (p
 
 CutRegion::CutRegion(Points points, const FaceRegion& region) : region_(region) {
   for (const Index vertex : region.vertices) points_.push_back(points[vertex]);
-  for (const Edge& edge : region.boundary)
-    boundary_.push_back(make_edge(region_.place_of(edge.a), region_.place_of(edge.b)));
-  std::sort(boundary_.begin(), boundary_.end());
-  boundary_.erase(std::unique(boundary_.begin(), boundary_.end()), boundary_.end());
+  for (const Edge& edge : region.boundary) boundary_.push_back({region_.place_of(edge.a), region_.place_of(edge.b)});
+  boundary_ = undirected_edges(std::move(boundary_));
   for (const Edge& edge : region.candidates)
     candidates_.push_back({region_.place_of(edge.a), region_.place_of(edge.b)});
   DisjointSets components(points_.size());

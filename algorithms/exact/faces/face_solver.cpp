@@ -20,6 +20,7 @@
 #include "algorithms/exact/faces/region_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/usable_threads.h"
+#include "geometry/undirected_edges.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -130,17 +131,15 @@ std::vector<Edge> FaceSolver::open_candidates() const {
     for (const Walk& walk : part.composite_walks) {
       for (const Corner& corner : walk) {
         for (std::uint32_t i = 0; i < corner.candidates; ++i) {
-          edges.push_back(make_edge(corner.vertex, candidate_of(graph_, corner, i)));
+          edges.push_back({corner.vertex, candidate_of(graph_, corner, i)});
         }
       }
     }
     for (const Index vertex : part.isolated) {
-      for (const Index target : graph_.star(vertex)) edges.push_back(make_edge(vertex, target));
+      for (const Index target : graph_.star(vertex)) edges.push_back({vertex, target});
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  return undirected_edges(std::move(edges));
 }
 
 // Walks name halfedges by numbers that change when edges go: their first edges find them again.

@@ -15,6 +15,7 @@
 #include "algorithms/exact/faces/polygon_face.h"
 #include "algorithms/exact/faces/region_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
+#include "geometry/undirected_edges.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -22,12 +23,8 @@ namespace mwt {
 namespace {
 
 Interval boundary_length(Points points, const FaceRegion& region) {
-  std::vector<Edge> edges;
-  for (const Edge& edge : region.boundary) edges.push_back(make_edge(edge.a, edge.b));
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   LengthSum sum;
-  for (const Edge& edge : edges) sum.add(points[edge.a], points[edge.b]);
+  for (const Edge& edge : undirected_edges(region.boundary)) sum.add(points[edge.a], points[edge.b]);
   return sum.enclosure();
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "geometry/predicates.h"
+#include "geometry/undirected_edges.h"
 
 namespace mwt {
 
@@ -31,10 +32,7 @@ class TriangleSearch {
   bool file_sides(std::span<const Edge> sides, const Deadline& deadline) {
     std::vector<Edge> sorted_sides(sides.begin(), sides.end());
     std::sort(sorted_sides.begin(), sorted_sides.end());
-    std::vector<Edge> edges;
-    for (const Edge& side : sides) edges.push_back(make_edge(side.a, side.b));
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    const std::vector<Edge> edges = undirected_edges(sorted_sides);
     std::vector<std::uint32_t> under;
     first_.assign(points_.size() + 1, 0);
     for (const Edge& edge : edges) {
