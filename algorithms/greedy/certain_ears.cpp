@@ -8,7 +8,8 @@ namespace mwt {
 
 bool CertainEars::take(std::span<const MeshEdge> face) {
   FaceBoundary boundary(mesh_, face);
-  const std::vector<Corner> all = boundary.in_order_of_points();
+  pockets_.take(boundary);
+  const std::vector<Corner> all = boundary.possible_ears();
   put_off_.clear();
   for (std::size_t first = 0; first < all.size() && !stopped_; first += kBlock) {
     const std::size_t last = std::min(first + kBlock, all.size());

@@ -9,6 +9,7 @@
 #include "algorithms/greedy/ear_search.h"
 #include "algorithms/greedy/face_boundary.h"
 #include "algorithms/greedy/fixed_stars.h"
+#include "algorithms/greedy/pockets.h"
 
 namespace mwt {
 
@@ -20,7 +21,12 @@ class CertainEars {
  public:
   CertainEars(PlanarMesh& mesh, const EdgeOrder& order, FixedStars& stars, EarInsertion& insertion,
               const Context& context)
-      : mesh_(mesh), search_(mesh, order), stars_(stars), insertion_(insertion), context_(context) {}
+      : mesh_(mesh),
+        pockets_(mesh, order, stars, insertion, context),
+        search_(mesh, order),
+        stars_(stars),
+        insertion_(insertion),
+        context_(context) {}
 
   /// `face`: all edges inside the face, none of them fixed; it still holds all of them afterwards. Linear time as far
   /// as the search is concerned: long searches are given up when they took 4 steps per corner. False if the deadline
@@ -28,7 +34,7 @@ class CertainEars {
   bool take(std::span<const MeshEdge> face);
 
   /// Ears taken so far that were no edges of the mesh before.
-  [[nodiscard]] std::size_t inserted() const { return inserted_; }
+  [[nodiscard]] std::size_t inserted() const { return inserted_ + pockets_.inserted(); }
 
  private:
   static constexpr std::size_t kBlock = 4096;        // so many corners, with their surroundings, fit the cache
@@ -42,6 +48,7 @@ class CertainEars {
   void take_ear(FaceBoundary& boundary, Corner c);
 
   PlanarMesh& mesh_;
+  Pockets pockets_;
   EarSearch search_;
   FixedStars& stars_;
   EarInsertion& insertion_;

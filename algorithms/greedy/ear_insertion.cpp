@@ -6,15 +6,19 @@
 namespace mwt {
 
 MeshEdge EarInsertion::insert(const Wedge& wedge) {
-  inner_.clear();
-  unblocked_.clear();
-  const MeshEdge inserted = flip_out_spokes(wedge);
+  begin();
+  const MeshEdge inserted = flip_out(wedge);
   restore_delaunay();
   return inserted;
 }
 
+void EarInsertion::begin() {
+  inner_.clear();
+  unblocked_.clear();
+}
+
 // Nearest spokes first in the sense of Graham's scan; the last one to go becomes the third side.
-MeshEdge EarInsertion::flip_out_spokes(const Wedge& wedge) {
+MeshEdge EarInsertion::flip_out(const Wedge& wedge) {
   spokes_.assign(1, wedge.first);
   MeshEdge last_flipped = 0;
   Halfedge spoke = mesh_.rotate_left(wedge.first);
@@ -38,6 +42,7 @@ MeshEdge EarInsertion::flip_out_spokes(const Wedge& wedge) {
 
 // Lawson's flips on the edges in inner_, which are all that insertion can have disturbed.
 void EarInsertion::restore_delaunay() {
+  std::erase_if(inner_, [this](MeshEdge e) { return (mesh_.marks(e) & kFixedMark) != 0; });
   if (inner_.empty()) return;
   for (const MeshEdge e : inner_) mesh_.marks(e) |= kInnerMark;
   suspects_ = inner_;

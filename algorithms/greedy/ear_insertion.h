@@ -21,6 +21,12 @@ class EarInsertion {
   /// O(spokes^2) flips, a few per spoke in practice.
   MeshEdge insert(const Wedge& wedge);
 
+  /// The same in steps, for several wedges: begin, flip_out each, restore_delaunay. After the last step, as many edges
+  /// as before; those that the caller fixed in between are left alone.
+  void begin();
+  MeshEdge flip_out(const Wedge& wedge);
+  void restore_delaunay();
+
   /// The edges inside the region of the last insertion: all that were flipped but the one that was returned.
   [[nodiscard]] std::span<const MeshEdge> inner() const { return inner_; }
 
@@ -30,8 +36,6 @@ class EarInsertion {
   [[nodiscard]] std::size_t flips() const { return flips_; }
 
  private:
-  MeshEdge flip_out_spokes(const Wedge& wedge);
-  void restore_delaunay();
   void flip(MeshEdge e);
 
   PlanarMesh& mesh_;

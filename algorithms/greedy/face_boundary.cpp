@@ -4,6 +4,7 @@
 
 #include "algorithms/greedy/greedy_marks.h"
 #include "algorithms/mesh/radix_sort.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 
@@ -35,17 +36,45 @@ void FaceBoundary::walk_from(Halfedge first) {
   corners_[start].previous = static_cast<Corner>(corners_.size()) - 1;
 }
 
-std::vector<Corner> FaceBoundary::in_order_of_points() const {
+std::vector<Corner> FaceBoundary::possible_ears() const {
   HugeVector<std::uint64_t> keys, buffer;
   keys.reserve(corners_.size());
-  for (Corner c = 0; c < corners_.size(); ++c) keys.push_back((std::uint64_t{corners_[c].point} << 32) | c);
+  for (Corner c = 0; c < corners_.size(); ++c) {
+    if (!is_cut(c) && is_possible_ear(c)) keys.push_back((std::uint64_t{corners_[c].point} << 32) | c);
+  }
   radix_sort(keys, 32, 32 + static_cast<int>(std::bit_width(mesh_.point_count())), buffer);
   return std::vector<Corner>(keys.begin(), keys.end());
 }
 
-void FaceBoundary::cut(Corner c, Halfedge side) {
+bool FaceBoundary::is_possible_ear(Corner c) const {
+  const Point &at = mesh_.point(point(c)), &to = mesh_.point(point(next(c))), &from = mesh_.point(point(previous(c)));
+  return orientation(from, at, to) > 0 && dot_sign(from, at, to) <= 0;
+}
+
+Corner FaceBoundary::back_from(Corner c, int corners, std::size_t farthest) const {
+  Corner back = c;
+  for (int i = 0; i < corners && back > 0; ++i) {
+    Corner before = back - 1;
+    while (before > 0 && is_cut(before)) --before;
+    if (c - before > farthest) break;
+    back = before;
+  }
+  return back;
+}
+
+Corner FaceBoundary::on_from(Corner c, int corners, std::size_t farthest) const {
+  Corner on = c;
+  for (int i = 0; i < corners && on < corners_.size(); ++i) {
+    Corner after = on + 1;
+    while (after < corners_.size() && is_cut(after)) ++after;
+    if (after - c > farthest) break;
+    on = after;
+  }
+  return on;
+}
+
+void FaceBoundary::unlink(Corner c) {
   const Link removed = corners_[c];
-  corners_[removed.previous].first = side;
   corners_[removed.previous].next = removed.next;
   corners_[removed.next].previous = removed.previous;
 }

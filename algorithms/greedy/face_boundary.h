@@ -23,19 +23,40 @@ class FaceBoundary {
   /// O(length of `face`) time, 16 bytes per corner.
   FaceBoundary(PlanarMesh& mesh, std::span<const MeshEdge> face);
 
-  /// All corners by the numbers of their points. O(n).
-  [[nodiscard]] std::vector<Corner> in_order_of_points() const;
+  [[nodiscard]] std::size_t size() const { return corners_.size(); }
+
+  /// Whether the corner is convex and not acute, so that it may be cut off.
+  [[nodiscard]] bool is_possible_ear(Corner c) const;
+
+  /// The possible ears that are not cut, by the numbers of their points. O(n).
+  [[nodiscard]] std::vector<Corner> possible_ears() const;
 
   [[nodiscard]] Corner next(Corner c) const { return corners_[c].next; }
   [[nodiscard]] Corner previous(Corner c) const { return corners_[c].previous; }
   [[nodiscard]] Index point(Corner c) const { return corners_[c].point; }
+
+  /// The corner that is so many corners before this one or after it, those that are cut not counted, or the last on the
+  /// way whose number is less (greater) by at most `farthest`.
+  [[nodiscard]] Corner back_from(Corner c, int corners, std::size_t farthest) const;
+  [[nodiscard]] Corner on_from(Corner c, int corners, std::size_t farthest) const;
+
+  /// The edge to the next corner.
+  [[nodiscard]] Halfedge side(Corner c) const { return corners_[c].first; }
 
   /// Between the edge to the next corner and the one to the corner before.
   [[nodiscard]] Wedge wedge(Corner c) const { return {corners_[c].first, twin(corners_[previous(c)].first)}; }
 
   /// Takes the corner off: `side` goes from the corner before it to the one after.
   /// Its own links stay.
-  void cut(Corner c, Halfedge side);
+  void cut(Corner c, Halfedge side) {
+    unlink(c);
+    set_side(previous(c), side);
+  }
+
+  /// The same in two steps. In between the corner before has the side that it had.
+  void unlink(Corner c);
+  void set_side(Corner c, Halfedge side) { corners_[c].first = side; }
+
   [[nodiscard]] bool is_cut(Corner c) const { return corners_[corners_[c].next].previous != c; }
 
   /// Whether the corner's cycle has three corners: a triangle that is done, or full of points, or a hole.
