@@ -65,8 +65,7 @@ bool CrossingBounds::seems_certain(MeshEdge e) {
   return true;
 }
 
-bool CrossingBounds::find(std::span<const MeshEdge> face) {
-  constexpr std::size_t kStepsPerEdge = 16;
+bool CrossingBounds::find(std::span<const MeshEdge> face, std::size_t most_steps_per_edge) {
   bounds_ = std::make_unique_for_overwrite<float[]>(mesh_.edge_count());
   is_judged_.resize(mesh_.point_count());
   for (const MeshEdge e : face) {
@@ -78,7 +77,7 @@ bool CrossingBounds::find(std::span<const MeshEdge> face) {
       if (!is_judged_[mesh_.origin(h)]) judge_star(h);
     }
   }
-  const bool found = spread(kStepsPerEdge * face.size());
+  const bool found = spread(most_steps_per_edge * face.size());
   forget_lowered();
   return found;
 }

@@ -25,8 +25,8 @@ class CrossingBounds {
   /// A guess, from a thousand edges, whether most edges of the face are certain. O(1).
   [[nodiscard]] bool is_promising(std::span<const MeshEdge> face);
 
-  /// Finds the bounds; 4 bytes per edge of the mesh. False, and none found, if it takes more than 16 steps per edge.
-  [[nodiscard]] bool find(std::span<const MeshEdge> face);
+  /// Finds the bounds; 4 bytes per edge of the mesh. False, and none found, if it takes more steps than that.
+  [[nodiscard]] bool find(std::span<const MeshEdge> face, std::size_t most_steps_per_edge = 4);
 
   /// Whether e is certainly greedy. Precondition: e is of the face of the last find(), which succeeded.
   [[nodiscard]] bool is_certain(MeshEdge e) const { return bounds_[e] == kNeverCrossed; }

@@ -32,7 +32,7 @@ Certain certain_edges(Points points, bool fixes_certified) {
   }
   CrossingBounds bounds(mesh);
   Certain result;
-  const bool found = bounds.find(face);
+  const bool found = bounds.find(face, 1000);
   for (const MeshEdge e : face) {
     if (found && bounds.is_certain(e)) {
       result.edges.push_back(mesh.labelled_edge(e));
