@@ -26,7 +26,7 @@ class CrossingBounds {
   [[nodiscard]] bool is_promising(std::span<const MeshEdge> face);
 
   /// Finds the bounds; 4 bytes per edge of the mesh. False, and none found, if it takes more steps than that.
-  [[nodiscard]] bool find(std::span<const MeshEdge> face, std::size_t most_steps_per_edge = 4);
+  [[nodiscard]] bool find(std::span<const MeshEdge> face, std::size_t most_steps_per_edge = 16);
 
   /// Whether e is certainly greedy. Precondition: e is of the face of the last find(), which succeeded.
   [[nodiscard]] bool is_certain(MeshEdge e) const { return bounds_[e] == kNeverCrossed; }
