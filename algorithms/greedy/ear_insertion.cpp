@@ -67,7 +67,7 @@ void EarInsertion::flip(MeshEdge e) {
   for (const Halfedge h : {2 * e, 2 * e + 1}) {
     if ((mesh_.marks(e) & kWatchedMarks[h & 1]) != 0) unblocked_.push_back(stars_.right_of(h));
   }
-  const std::uint32_t lasting = mesh_.marks(e) & (kFaceMark | kInnerMark | kEarsTakenMark);
+  const std::uint32_t lasting = mesh_.marks(e) & (kFaceMark | kInnerMark | kDividedMark | kEarsTakenMark);
   mesh_.flip(e);
   mesh_.marks(e) = lasting | kFlippedMark;
   ++flips_;

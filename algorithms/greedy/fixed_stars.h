@@ -20,6 +20,7 @@ class FixedStars {
   /// The first fixed halfedge after h, counter-clockwise or clockwise; h itself if there is no other and h is fixed.
   /// Precondition: at least one halfedge at h's origin is fixed.
   [[nodiscard]] Halfedge left_of(Halfedge h) {
+    if (is_linked(h)) return linked_neighbours(h).left;
     Halfedge other = mesh_.rotate_left(h);
     for (int steps = 0; steps < kScanLimit; ++steps, other = mesh_.rotate_left(other)) {
       if (is_fixed(other)) return other;
@@ -27,6 +28,7 @@ class FixedStars {
     return linked_neighbours(h).left;
   }
   [[nodiscard]] Halfedge right_of(Halfedge h) {
+    if (is_linked(h)) return linked_neighbours(h).right;
     Halfedge other = mesh_.rotate_right(h);
     for (int steps = 0; steps < kScanLimit; ++steps, other = mesh_.rotate_right(other)) {
       if (is_fixed(other)) return other;
@@ -38,7 +40,7 @@ class FixedStars {
 
   /// To be called for both halves of an edge once it is fixed.
   void add(Halfedge h) {
-    if (!is_linked_.empty() && is_linked_[mesh_.origin(h)]) link(h);
+    if (is_linked(h)) link(h);
   }
 
  private:
@@ -48,6 +50,7 @@ class FixedStars {
     Halfedge right;
   };
 
+  [[nodiscard]] bool is_linked(Halfedge h) const { return !is_linked_.empty() && is_linked_[mesh_.origin(h)]; }
   [[nodiscard]] Neighbours linked_neighbours(Halfedge h);
   [[nodiscard]] Neighbours find_neighbours(Halfedge h) const;
   void link(Halfedge h);

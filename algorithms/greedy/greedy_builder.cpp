@@ -31,6 +31,11 @@ void GreedyBuilder::fix_certain_edges() {
 void GreedyBuilder::solve_face(MeshEdge e) {
   collect_face(e);
   const bool is_new = (mesh_.marks(e) & kEarsTakenMark) == 0;
+  if (face_.size() > large_face_ && is_new && (mesh_.marks(e) & kDividedMark) == 0) {
+    divide_face();
+    if ((mesh_.marks(e) & kFixedMark) != 0) return;
+    if ((mesh_.marks(e) & kFaceMark) == 0) collect_face(e);
+  }
   if (face_.size() > large_face_ && is_new) {
     take_certain_ears();
     if (counters_.stopped_early || (mesh_.marks(e) & kFixedMark) != 0) return;
@@ -38,6 +43,21 @@ void GreedyBuilder::solve_face(MeshEdge e) {
   }
   start_queue();
   empty_queue();
+}
+
+// Fixes those edges of a large face that nothing can cross, if they are likely to be many: small faces remain.
+void GreedyBuilder::divide_face() {
+  if (!crossing_bounds_.is_promising(face_)) return;
+  sort_face();
+  const bool found = crossing_bounds_.find(face_);
+  for (const MeshEdge e : face_) {
+    mesh_.marks(e) = (mesh_.marks(e) & ~kFaceMark) | kDividedMark;
+    if (!found || !crossing_bounds_.is_certain(e)) continue;
+    mesh_.marks(e) |= kFixedMark;
+    stars_.add(2 * e);
+    stars_.add(2 * e + 1);
+  }
+  crossing_bounds_.forget();
 }
 
 void GreedyBuilder::take_certain_ears() {

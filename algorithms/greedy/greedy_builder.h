@@ -7,6 +7,7 @@
 #include "algorithms/algorithm.h"
 #include "algorithms/greedy/candidate_queue.h"
 #include "algorithms/greedy/certain_ears.h"
+#include "algorithms/greedy/crossing_bounds.h"
 #include "algorithms/greedy/ear_insertion.h"
 #include "algorithms/greedy/fixed_stars.h"
 #include "algorithms/greedy/greedy.h"
@@ -27,7 +28,8 @@ class GreedyBuilder {
         heap_(order_),
         stars_(mesh),
         insertion_(mesh, stars_),
-        certain_ears_(mesh, order_, stars_, insertion_, context) {}
+        certain_ears_(mesh, order_, stars_, insertion_, context),
+        crossing_bounds_(mesh) {}
 
   GreedyCounters run();
 
@@ -35,6 +37,7 @@ class GreedyBuilder {
   void fix_certain_edges();
   void solve_face(MeshEdge e);
   void collect_face(MeshEdge e);
+  void divide_face();
   void take_certain_ears();
   void sort_face();
   void start_queue();
@@ -68,6 +71,7 @@ class GreedyBuilder {
   FixedStars stars_;
   EarInsertion insertion_;
   CertainEars certain_ears_;
+  CrossingBounds crossing_bounds_;
   GreedyCounters counters_;
   std::uint64_t steps_ = 0;
   float least_squared_length_ = std::numeric_limits<float>::infinity();

@@ -16,10 +16,12 @@ inline constexpr std::uint32_t kFaceMark = 64;                          // its f
 inline constexpr std::uint32_t kCandidateMark = 128;                    // waits in the queue
 inline constexpr std::array<std::uint32_t, 2> kCornerMarks = {256, 512};  // the halfedge begins at a corner of its face
 inline constexpr std::uint32_t kEarsTakenMark = 1024;                     // certain ears of its face have been taken
+inline constexpr std::uint32_t kDividedMark = 2048;                       // certain edges of its face have been fixed
+inline constexpr std::uint32_t kLoweredMark = 4096;                       // has a new CrossingBounds
 
 inline constexpr std::uint32_t kGreedyMarks = kFixedMark | kFlippedMark | kWatchedMarks[0] | kWatchedMarks[1] |
                                               kInnerMark | kFaceMark | kCandidateMark | kCornerMarks[0] |
-                                              kCornerMarks[1] | kEarsTakenMark;
+                                              kCornerMarks[1] | kEarsTakenMark | kDividedMark | kLoweredMark;
 static_assert((kGreedyMarks & (kHullMark | kLastingMarks)) == 0);
 
 }  // namespace mwt

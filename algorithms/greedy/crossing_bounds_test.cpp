@@ -1,0 +1,111 @@
+#include "algorithms/greedy/crossing_bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "algorithms/greedy/certified_edges.h"
+#include "algorithms/greedy/greedy.h"
+#include "algorithms/mesh/shapes_for_tests.h"
+#include "algorithms/registry.h"
+#include "generators/registry.h"
+#include "geometry/error.h"
+#include "geometry/point_set.h"
+
+namespace mwt {
+
+namespace {
+
+struct Certain {
+  std::vector<Edge> edges;
+  std::size_t uncertain = 0;
+};
+
+// What the bounds say about all faces at once, between the hull's edges, and the certified ones if asked for.
+Certain certain_edges(Points points, bool fixes_certified) {
+  PlanarMesh mesh = PlanarMesh::delaunay(points);
+  std::vector<MeshEdge> face;
+  for (MeshEdge e = 0; e < mesh.edge_count(); ++e) {
+    const bool fixed = mesh.is_hull(e) || (fixes_certified && is_certainly_greedy(mesh, e));
+    mesh.marks(e) |= fixed ? kFixedMark : kFaceMark;
+    if (!fixed) face.push_back(e);
+  }
+  CrossingBounds bounds(mesh);
+  Certain result;
+  const bool found = bounds.find(face, 1000);
+  for (const MeshEdge e : face) {
+    if (found && bounds.is_certain(e)) {
+      result.edges.push_back(mesh.labelled_edge(e));
+    } else {
+      ++result.uncertain;
+    }
+  }
+  std::sort(result.edges.begin(), result.edges.end());
+  return result;
+}
+
+std::vector<Edge> greedy_edges(Points points) {
+  const AlgorithmInfo& info = find_algorithm("greedy_report");
+  Context context;
+  context.parameters = Parameters(info.name, info.parameters, {});
+  return edges_of(info.function(points, context).triangulation);
+}
+
+// Returns how many edges were certain.
+std::size_t expect_greedy(Points points, const std::string& what) {
+  const std::vector<Edge> expected = greedy_edges(points);
+  std::size_t certain = 0;
+  for (const bool fixes_certified : {false, true}) {
+    const std::vector<Edge> edges = certain_edges(points, fixes_certified).edges;
+    EXPECT_TRUE(std::includes(expected.begin(), expected.end(), edges.begin(), edges.end())) << what;
+    certain += edges.size();
+  }
+  return certain;
+}
+
+std::size_t expect_greedy_on_all(std::uint64_t seeds, Index smaller_n) {
+  std::size_t certain = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Index n = 3 + static_cast<Index>(7 * seed) % smaller_n;
+    for (const test::Shape& shape : test::shapes()) {
+      certain += expect_greedy(test::make_shape(shape, n, seed), shape.name + " n=" + std::to_string(n));
+    }
+    for (const GeneratorInfo& family : generators()) {
+      try {
+        const PointSet set = make_point_set(generate(family.name, n, seed, {}), family.name);
+        certain += expect_greedy(set.points, family.name + " n=" + std::to_string(n));
+      } catch (const InputError&) {  // the family has no instance of this size
+      }
+    }
+  }
+  return certain;
+}
+
+TEST(CrossingBounds, CertainEdgesAreGreedy) { EXPECT_GT(expect_greedy_on_all(6, 60), 1000U); }
+
+TEST(CrossingBoundsSlow, CertainEdgesAreGreedyOnManyInstances) { EXPECT_GT(expect_greedy_on_all(100, 120), 100'000U); }
+
+TEST(CrossingBounds, CertainEdgesOfWheelsAreGreedy) {
+  for (const char* size : {"5", "14", "30", "60"}) {
+    EXPECT_GT(expect_greedy(generate("wheels", 1200, 1, {{"size", size}}), "wheels"), 500U) << size;
+  }
+}
+
+// Two rows of points, bent away from each other: every rung of the ladder between is shorter than what can cross it.
+TEST(CrossingBounds, FindsTheRungsOfALadder) {
+  std::vector<Point> points;
+  for (int i = -10; i <= 10; ++i) points.insert(points.end(), {{1.0 * i, -.01 * i * i}, {i + .25, 3 + .01 * i * i}});
+  const Certain found = certain_edges(points, true);
+  EXPECT_GE(found.edges.size(), 35U);  // of 41 rungs
+}
+
+// Next to the rim of a wheel two spokes are nearer to each other than the hub is.
+TEST(CrossingBounds, LeavesTheSpokesOfAWheelToShorterEars) {
+  const Certain found = certain_edges(generate("wheels", 14, 1, {{"size", "14"}}), false);
+  EXPECT_TRUE(found.edges.empty());
+  EXPECT_EQ(found.uncertain, 13U);
+}
+
+}  // namespace
+
+}  // namespace mwt
