@@ -35,6 +35,10 @@ class FlipHistory {
  public:
   explicit FlipHistory(std::size_t edge_count) : last_(edge_count, kNone) {}
 
+  // Flips done, those taken back among them.
+  [[nodiscard]] std::size_t size() const { return flips_.size(); }
+  [[nodiscard]] std::size_t taken_back() const { return taken_back_; }
+
   [[nodiscard]] FlipNumber next_number() const { return static_cast<FlipNumber>(flips_.size()) + 1; }
   [[nodiscard]] FlipNumber last_of(MeshEdge e) const { return last_[e]; }
   [[nodiscard]] const DoneFlip& operator[](FlipNumber flip) const { return flips_[flip - 1]; }
@@ -55,11 +59,15 @@ class FlipHistory {
     last_[flip.edge] = next_number();
     flips_.push_back(flip);
   }
-  void take_back(FlipNumber flip) { last_[(*this)[flip].edge] = (*this)[flip].previous; }
+  void take_back(FlipNumber flip) {
+    last_[(*this)[flip].edge] = (*this)[flip].previous;
+    ++taken_back_;
+  }
 
  private:
   HugeVector<FlipNumber> last_;  // of each edge
   HugeVector<DoneFlip> flips_;   // also those taken back
+  std::size_t taken_back_ = 0;
 };
 
 class BestFirstSearch {
@@ -69,13 +77,21 @@ class BestFirstSearch {
 
   FlipResult run(std::size_t portion) {
     while ((known_ < mesh_.edge_count() || !early_.empty()) && !flips_.stopped_early()) {
-      look_through(std::min(mesh_.edge_count() - known_, std::max(portion, taken_back_)));
+      const std::size_t rest = mesh_.edge_count() - known_;
+      look_through(reaches_far() ? rest : std::min(rest, portion));
       play();
     }
     return flips_.take_result();
   }
 
  private:
+  // Whether so much was done and taken back that it is cheaper to know all edges now.
+  [[nodiscard]] bool reaches_far() const {
+    constexpr std::size_t kAlways = 8192, kCostOfTakingBack = 8;
+    return known_ < mesh_.edge_count() &&
+           history_.size() + kCostOfTakingBack * history_.taken_back() > known_ + kAlways;
+  }
+
   [[nodiscard]] Candidate candidate(MeshEdge e) const { return {gain_of(mesh_, e), e}; }
 
   // The flips possible at the start among the next edges. Where done flips have changed the triangles, flips may seem
@@ -88,18 +104,20 @@ class BestFirstSearch {
     }
   }
 
-  // Adds first_ to the search. What is known from the start is sorted, which is cheaper than a heap.
+  // Adds first_ to the search. What is known from the start is sorted, which is cheaper than a heap. What is left when
+  // flips reach far waits for the rest of the edges.
   void play() {
     std::sort(first_.begin(), first_.end(), std::greater<Candidate>());
     now_ = kBeginning;
     std::size_t next = 0;
-    while ((next < first_.size() || !later_.empty()) && !flips_.out_of_time()) {
+    while ((next < first_.size() || !later_.empty()) && !reaches_far() && !flips_.out_of_time()) {
       const bool is_first = later_.empty() || (next < first_.size() && later_.top() < first_[next]);
       const Candidate best = is_first ? first_[next++] : later_.top();
       if (!is_first) later_.pop();
       if (best < now_) begin_burst(best);
       visit(best);
     }
+    early_.insert(early_.end(), first_.begin() + static_cast<std::ptrdiff_t>(next), first_.end());
   }
 
   void begin_burst(const Candidate& time) {
@@ -135,6 +153,7 @@ class BestFirstSearch {
   void rewind_around(MeshEdge e) {
     const auto is_later = [&](MeshEdge near) { return history_.changed_after(near, now_); };
     while (const auto later = find_around(e, is_later)) take_back(history_.last_of(*later));
+    if (!restored_.empty()) reconsider_restored();
   }
 
   // An edge with that property in the neighbourhood of e: among the edges of the triangles at e and beyond its sides.
@@ -175,14 +194,21 @@ class BestFirstSearch {
     flips_.take_back(e);
     mesh_.marks(e) = history_[flip].marks;
     history_.take_back(flip);
-    ++taken_back_;
-    reconsider(e);
-    for (const MeshEdge side : sides_of(mesh_, e)) reconsider(side);
+    restored_.push_back(e);
   }
 
-  // A flip that is possible again joins the search, unless its time is over: then it is not known yet.
-  void reconsider(MeshEdge e) {
-    if (improves(mesh_, e) && candidate(e) < now_) later_.push(candidate(e));
+  // Flips that are possible again join the search, unless their time is over: then they are not known yet.
+  void reconsider_restored() {
+    std::vector<MeshEdge> edges = restored_;
+    for (const MeshEdge e : restored_) {
+      for (const MeshEdge side : sides_of(mesh_, e)) edges.push_back(side);
+    }
+    restored_.clear();
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    for (const MeshEdge e : edges) {
+      if (improves(mesh_, e) && candidate(e) < now_) later_.push(candidate(e));
+    }
   }
 
   PlanarMesh& mesh_;
@@ -193,7 +219,7 @@ class BestFirstSearch {
   std::priority_queue<Candidate> later_;  // possible by flips
   Candidate now_ = kBeginning;            // the time
   FlipNumber first_of_burst_ = kNone;     // the first flip of that time
-  std::size_t taken_back_ = 0;
+  std::vector<MeshEdge> restored_;        // edges whose last flip was taken back
 };
 
 }  // namespace

@@ -31,8 +31,11 @@ inline constexpr std::size_t kBestFirstPortion = 8192;
 /// `portion` has no effect on the result, except where the deadline stops the search: then it is optimal for some
 /// portions and untouched in others. FlipResult::tests counts edges that are looked at again.
 ///
-/// Precondition: portion > 0. Portions grow to the number of flips taken back, so O(n + flips) are taken back in all
-/// (1% of the flips on uniform points). O((n + flips) log n) time, 12 bytes per point and 32 per flip of extra space.
+/// Where flips reach far, as in fans along curves, much would be taken back again and again: once it outweighs the
+/// edges looked through, all the others are looked through at once, and the search starts anew from what is done. So
+/// O(n) flips are taken back in all (1% of the flips on uniform points).
+///
+/// Precondition: portion > 0. O((n + flips) log n) time, 12 bytes per point and 32 per flip of extra space.
 /// Deterministic.
 FlipResult flip_best_first(PlanarMesh& mesh, const Context& context, bool with_trace,
                            std::size_t portion = kBestFirstPortion);
