@@ -98,7 +98,7 @@ TEST(BestFirst, TracesTheSearchByDefinition) {
 }
 
 TEST(BestFirst, IsTheSameInSmallPortionsAsAtOnceOnManyPoints) {
-  for_all_starts(2000, 1, [](const PlanarMesh& start, const std::string& which) {
+  for_all_starts(1000, 1, [](const PlanarMesh& start, const std::string& which) {
     PlanarMesh expected = start;
     const FlipResult at_once = flip_best_first(expected, Context{}, true);
     for (const std::size_t portion : {1, 300}) {
