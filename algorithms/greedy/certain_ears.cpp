@@ -8,15 +8,16 @@ namespace mwt {
 
 bool CertainEars::take(std::span<const MeshEdge> face) {
   FaceBoundary boundary(mesh_, face);
-  pockets_.take(boundary);
-  const std::vector<Corner> all = boundary.possible_ears();
+  if (pockets_.is_promising(boundary)) pockets_.take(boundary);
   put_off_.clear();
-  for (std::size_t first = 0; first < all.size() && !stopped_; first += kBlock) {
-    const std::size_t last = std::min(first + kBlock, all.size());
-    waiting_.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last));
+  for (std::size_t first = 0; first < boundary.size() && !stopped_; first += kBlock) {
+    for (std::size_t c = first; c < std::min(first + kBlock, boundary.size()); ++c) {
+      const auto corner = static_cast<Corner>(c);
+      if (!boundary.is_cut(corner) && boundary.is_possible_ear(corner)) waiting_.push_back(corner);
+    }
     look_at_waiting(boundary);
   }
-  look_at_put_off(boundary, kStepsPerCorner * all.size());
+  look_at_put_off(boundary, kStepsPerCorner * boundary.size());
   return !stopped_;
 }
 

@@ -15,10 +15,13 @@ double squared_distance(const Point& p, const Point& q) {
 
 }  // namespace
 
-bool DistantEars::begin(FaceBoundary& boundary) {
-  last_step_ = steps_ + kStepsPerCorner * boundary.size();
+void DistantEars::begin(std::size_t corners) {
+  last_step_ = steps_ + kStepsPerCorner * corners;
   runs_ = 0;
   certain_ = 0;
+}
+
+bool DistantEars::is_promising(FaceBoundary& boundary) {
   constexpr std::size_t kSample = 1000;
   const std::size_t step = boundary.size() / kSample + 3;
   std::size_t possible = 0, distant = 0;
@@ -144,7 +147,7 @@ bool DistantEars::leads_only_within(DistantEar& ear, Corner x, float& least) {
   for (Halfedge spoke = mesh_.rotate_left(stretch_.first_side(x)); spoke != last; spoke = mesh_.rotate_left(spoke)) {
     ++steps_;
     const float squared_length = mesh_.record(edge_of(spoke)).squared_length;
-    if (squared_length >= least) continue;
+    if (squared_length >= least && squared_length > ear.enough) continue;
     const Index target = mesh_.target(spoke);
     const RunCorner* end = find_in_run(x, target);
     if (end != nullptr && end->is_of_ear) {
@@ -154,7 +157,7 @@ bool DistantEars::leads_only_within(DistantEar& ear, Corner x, float& least) {
     const bool is_near =
         squared_length <= ear.enough && squared_distance(stretch_.point(ear.c), mesh_.point(target)) <= ear.enough;
     if (is_near && end == nullptr) return false;
-    least = squared_length;
+    least = std::min(least, squared_length);
   }
   return true;
 }

@@ -26,9 +26,12 @@ class DistantEars {
   DistantEars(const PlanarMesh& mesh, const EdgeOrder& order, BoundaryStretch& stretch)
       : mesh_(mesh), order_(order), stretch_(stretch) {}
 
-  /// To be called for each boundary. False if ears are near each other, in a sample of it, so that a search in the mesh
-  /// is the better way (EarSearch). O(1) samples.
-  [[nodiscard]] bool begin(FaceBoundary& boundary);
+  /// Whether in a sample of the boundary nearly no ear has anything near it; otherwise a search in the mesh is the
+  /// better way (EarSearch). O(1) samples.
+  [[nodiscard]] bool is_promising(FaceBoundary& boundary);
+
+  /// Allows as much time for short spokes as a boundary of so many corners is worth.
+  void begin(std::size_t corners);
 
   /// Whether the ear is certainly greedy, by lemma 9 of README.md: the corner is convex and not acute; along the
   /// boundary to either side, the first corner beyond a and b that is not out of sight is farther from c than the ear

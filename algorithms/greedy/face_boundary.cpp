@@ -1,9 +1,6 @@
 #include "algorithms/greedy/face_boundary.h"
 
-#include <bit>
-
 #include "algorithms/greedy/greedy_marks.h"
-#include "algorithms/mesh/radix_sort.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
@@ -34,16 +31,6 @@ void FaceBoundary::walk_from(Halfedge first) {
   } while (h != first);
   corners_.back().next = start;
   corners_[start].previous = static_cast<Corner>(corners_.size()) - 1;
-}
-
-std::vector<Corner> FaceBoundary::possible_ears() const {
-  HugeVector<std::uint64_t> keys, buffer;
-  keys.reserve(corners_.size());
-  for (Corner c = 0; c < corners_.size(); ++c) {
-    if (!is_cut(c) && is_possible_ear(c)) keys.push_back((std::uint64_t{corners_[c].point} << 32) | c);
-  }
-  radix_sort(keys, 32, 32 + static_cast<int>(std::bit_width(mesh_.point_count())), buffer);
-  return std::vector<Corner>(keys.begin(), keys.end());
 }
 
 bool FaceBoundary::is_possible_ear(Corner c) const {

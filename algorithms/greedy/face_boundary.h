@@ -28,9 +28,6 @@ class FaceBoundary {
   /// Whether the corner is convex and not acute, so that it may be cut off.
   [[nodiscard]] bool is_possible_ear(Corner c) const;
 
-  /// The possible ears that are not cut, by the numbers of their points. O(n).
-  [[nodiscard]] std::vector<Corner> possible_ears() const;
-
   [[nodiscard]] Corner next(Corner c) const { return corners_[c].next; }
   [[nodiscard]] Corner previous(Corner c) const { return corners_[c].previous; }
   [[nodiscard]] Index point(Corner c) const { return corners_[c].point; }

@@ -6,12 +6,13 @@
 namespace mwt {
 
 // Back to the stretch before where that has got another neighbour.
-void Pockets::take(FaceBoundary& boundary) {
-  if (!ears_.begin(boundary)) return;
+void Pockets::take(FaceBoundary& boundary, std::size_t stretch) {
+  size_ = stretch;
+  ears_.begin(boundary.size());
   const auto is_over = [this] { return context_.deadline_passed() || ears_.is_hopeless(); };
-  for (std::size_t stretch = 0; stretch < boundary.size() && !is_over(); stretch += kStretch) {
-    std::size_t first = stretch;
-    while (take_stretch(boundary, first) && first > 0 && !is_over()) first -= kStretch;
+  for (std::size_t last = 0; last < boundary.size() && !is_over(); last += size_) {
+    std::size_t from = last;
+    while (take_stretch(boundary, from) && from > 0 && !is_over()) from -= size_;
   }
   stretch_.leave();
   waiting_ = {};
@@ -20,9 +21,9 @@ void Pockets::take(FaceBoundary& boundary) {
 // Whether the first corner of the stretch that was left is gone or has another neighbour now. Ears grow along a
 // boundary, and those at the end of a stretch wait for its neighbour: 40 corners back, they have doubled often enough.
 bool Pockets::take_stretch(FaceBoundary& boundary, std::size_t from) {
-  const std::size_t to = std::min(from + kStretch, boundary.size());
-  const Corner first = boundary.back_from(static_cast<Corner>(from), kOverlap, kStretch);
-  const Corner last = boundary.on_from(static_cast<Corner>(to), kOverlap, kStretch);
+  const std::size_t to = std::min(from + size_, boundary.size());
+  const Corner first = boundary.back_from(static_cast<Corner>(from), kOverlap, size_);
+  const Corner last = boundary.on_from(static_cast<Corner>(to), kOverlap, size_);
   stretch_.enter(boundary, first, last);
   Corner start = first;
   while (start + 1 < last && boundary.is_cut(start)) ++start;

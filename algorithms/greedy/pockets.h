@@ -18,24 +18,27 @@ class Pockets {
   Pockets(PlanarMesh& mesh, const EdgeOrder& order, FixedStars& stars, EarInsertion& insertion, const Context& context)
       : context_(context), stretch_(mesh), ears_(mesh, order, stretch_), insertion_(mesh, stars, insertion, stretch_) {}
 
-  /// Cuts distant ears off the boundary, none of whose corners is cut, and fixes them in the mesh, stretch by stretch.
-  /// Does nothing where that is not worth while. Stops at the deadline. Exact; linear time but for the flips that
-  /// restore the Delaunay property. Precondition: the mesh is a Delaunay triangulation constrained by the edges of
-  /// kFixedMark, all greedy.
-  void take(FaceBoundary& boundary);
+  /// Whether take() is worth while, from a sample.
+  [[nodiscard]] bool is_promising(FaceBoundary& boundary) { return ears_.is_promising(boundary); }
+
+  /// Cuts distant ears off the boundary, none of whose corners is cut, and fixes them in the mesh, stretch by stretch
+  /// of so many corners: they fit the cache with the longest of their ears. Gives up when it meets too much that is
+  /// near. Stops at the deadline. Exact; linear time but for the flips that restore the Delaunay property.
+  /// Precondition: the mesh is a Delaunay triangulation constrained by the edges of kFixedMark, all greedy.
+  void take(FaceBoundary& boundary, std::size_t stretch = 1 << 16);
 
   /// Ears taken so far that were no edges of the mesh before, as far as known.
   [[nodiscard]] std::size_t inserted() const { return inserted_; }
 
  private:
-  static constexpr std::size_t kStretch = 1 << 16;  // so many corners, with the longest of their ears, fit the cache
-  static constexpr int kOverlap = 40;               // so many corners that are left, on either side
+  static constexpr int kOverlap = 40;  // so many corners that are left, on either side of a stretch
 
-  [[nodiscard]] bool take_stretch(FaceBoundary& boundary, std::size_t first);
+  [[nodiscard]] bool take_stretch(FaceBoundary& boundary, std::size_t from);
   void cut_ears(Corner first, Corner last);
   void wait(Corner c);
 
   const Context& context_;
+  std::size_t size_ = 0;  // of a stretch
   BoundaryStretch stretch_;
   DistantEars ears_;
   PocketInsertion insertion_;
