@@ -10,14 +10,16 @@ bool CertainEars::take(std::span<const MeshEdge> face) {
   FaceBoundary boundary(mesh_, face);
   if (pockets_.is_promising(boundary)) pockets_.take(boundary);
   put_off_.clear();
+  std::size_t possible = 0;
   for (std::size_t first = 0; first < boundary.size() && !stopped_; first += kBlock) {
     for (std::size_t c = first; c < std::min(first + kBlock, boundary.size()); ++c) {
       const auto corner = static_cast<Corner>(c);
       if (!boundary.is_cut(corner) && boundary.is_possible_ear(corner)) waiting_.push_back(corner);
     }
+    possible += waiting_.size();
     look_at_waiting(boundary);
   }
-  look_at_put_off(boundary, kStepsPerCorner * boundary.size());
+  look_at_put_off(boundary, kStepsPerCorner * possible);
   return !stopped_;
 }
 

@@ -29,8 +29,8 @@ class CertainEars {
         context_(context) {}
 
   /// `face`: all edges inside the face, none of them fixed; it still holds all of them afterwards. Linear time as far
-  /// as the search is concerned: long searches are given up when they took 4 steps per corner. False if the deadline
-  /// has passed.
+  /// as the search is concerned: long searches are given up when they took 4 steps per corner that may be an ear. False
+  /// if the deadline has passed.
   bool take(std::span<const MeshEdge> face);
 
   /// Ears taken so far that were no edges of the mesh before.

@@ -139,7 +139,7 @@ void DistantEars::add_to_run(Corner from, Corner back_to, bool is_of_ear) {
 }
 
 // Whether the spokes of one corner of the run are harmless. Sets `least` to the least squared length of one that leaves
-// the ear.
+// the ear or is longer.
 bool DistantEars::leads_only_within(DistantEar& ear, Corner x, float& least) {
   if (least > ear.enough) return true;
   least = BoundaryStretch::kFar;
@@ -147,16 +147,15 @@ bool DistantEars::leads_only_within(DistantEar& ear, Corner x, float& least) {
   for (Halfedge spoke = mesh_.rotate_left(stretch_.first_side(x)); spoke != last; spoke = mesh_.rotate_left(spoke)) {
     ++steps_;
     const float squared_length = mesh_.record(edge_of(spoke)).squared_length;
-    if (squared_length >= least && squared_length > ear.enough) continue;
-    const Index target = mesh_.target(spoke);
-    const RunCorner* end = find_in_run(x, target);
-    if (end != nullptr && end->is_of_ear) {
-      ear.is_in_mesh |= x == ear.a && end->corner == ear.b;
-      continue;
+    if (squared_length <= ear.enough) {
+      const Index target = mesh_.target(spoke);
+      const RunCorner* end = find_in_run(x, target);
+      if (end != nullptr && end->is_of_ear) {
+        ear.is_in_mesh |= x == ear.a && end->corner == ear.b;
+        continue;
+      }
+      if (end == nullptr && squared_distance(stretch_.point(ear.c), mesh_.point(target)) <= ear.enough) return false;
     }
-    const bool is_near =
-        squared_length <= ear.enough && squared_distance(stretch_.point(ear.c), mesh_.point(target)) <= ear.enough;
-    if (is_near && end == nullptr) return false;
     least = std::min(least, squared_length);
   }
   return true;
