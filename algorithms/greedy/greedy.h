@@ -21,9 +21,9 @@ struct GreedyCounters {
 /// that makes this right, and its proof, are in README.md.
 /// Preconditions: distinct points, not all collinear, fewer than 2^28.
 /// Time O(n log n) in practice: about two of CGAL's Delaunay triangulations or less on uniform, clustered, lattice and
-/// log-radial points; for a million points two to three and a half on a circle, on roads and on wheels side by side, and
-/// three and a half to four and a half along a spiral. An adversary can make edge insertions cost more.
-/// Less than 200 bytes per point. Deterministic.
+/// log-radial points; for a million points two to three and a half on a circle, on roads and on wheels side by side,
+/// and three and a half to four and a half along a spiral. An adversary can make edge insertions cost more. Less than
+/// 200 bytes per point. Deterministic.
 [[nodiscard]] Triangulation greedy_triangulation(Points points);
 
 /// Turns a mesh that is the Delaunay triangulation of its points into their greedy triangulation. At the deadline of
