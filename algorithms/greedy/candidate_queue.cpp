@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "algorithms/mesh/distance.h"
 #include "algorithms/mesh/radix_sort.h"
 
 namespace mwt {
@@ -10,10 +11,7 @@ namespace mwt {
 namespace {
 
 double rounded_squared_length(const PlanarMesh& mesh, MeshEdge e) {
-  const Point& p = mesh.point(mesh.origin(2 * e));
-  const Point& q = mesh.point(mesh.target(2 * e));
-  const double dx = p.x - q.x, dy = p.y - q.y;
-  return dx * dx + dy * dy;
+  return rounded_squared_distance(mesh.point(mesh.origin(2 * e)), mesh.point(mesh.target(2 * e)));
 }
 
 int bits_of(std::uint64_t value) { return static_cast<int>(std::bit_width(value)); }

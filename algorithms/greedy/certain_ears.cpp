@@ -68,9 +68,7 @@ void CertainEars::take_ear(FaceBoundary& boundary, Corner c) {
   const bool is_in_mesh = mesh_.rotate_left(wedge.first) == wedge.last;
   inserted_ += is_in_mesh ? 0 : 1;
   const MeshEdge ear = is_in_mesh ? edge_of(mesh_.next(wedge.first)) : insertion_.insert(wedge);
-  mesh_.marks(ear) |= kFixedMark;
-  stars_.add(2 * ear);
-  stars_.add(2 * ear + 1);
+  stars_.fix(ear);
   const bool leaves_previous = mesh_.origin(2 * ear) == boundary.point(boundary.previous(c));
   boundary.cut(c, leaves_previous ? 2 * ear : 2 * ear + 1);
 }

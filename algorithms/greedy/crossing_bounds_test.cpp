@@ -5,12 +5,7 @@
 #include <algorithm>
 
 #include "algorithms/greedy/certified_edges.h"
-#include "algorithms/greedy/greedy.h"
-#include "algorithms/mesh/shapes_for_tests.h"
-#include "algorithms/registry.h"
-#include "generators/registry.h"
-#include "geometry/error.h"
-#include "geometry/point_set.h"
+#include "algorithms/greedy/greedy_testing.h"
 
 namespace mwt {
 
@@ -44,16 +39,9 @@ Certain certain_edges(Points points, bool fixes_certified) {
   return result;
 }
 
-std::vector<Edge> greedy_edges(Points points) {
-  const AlgorithmInfo& info = find_algorithm("greedy_report");
-  Context context;
-  context.parameters = Parameters(info.name, info.parameters, {});
-  return edges_of(info.function(points, context).triangulation);
-}
-
 // Returns how many edges were certain.
 std::size_t expect_greedy(Points points, const std::string& what) {
-  const std::vector<Edge> expected = greedy_edges(points);
+  const std::vector<Edge> expected = test::greedy_edges(points);
   std::size_t certain = 0;
   for (const bool fixes_certified : {false, true}) {
     const std::vector<Edge> edges = certain_edges(points, fixes_certified).edges;
@@ -63,27 +51,11 @@ std::size_t expect_greedy(Points points, const std::string& what) {
   return certain;
 }
 
-std::size_t expect_greedy_on_all(std::uint64_t seeds, Index smaller_n) {
-  std::size_t certain = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Index n = 3 + static_cast<Index>(7 * seed) % smaller_n;
-    for (const test::Shape& shape : test::shapes()) {
-      certain += expect_greedy(test::make_shape(shape, n, seed), shape.name + " n=" + std::to_string(n));
-    }
-    for (const GeneratorInfo& family : generators()) {
-      try {
-        const PointSet set = make_point_set(generate(family.name, n, seed, {}), family.name);
-        certain += expect_greedy(set.points, family.name + " n=" + std::to_string(n));
-      } catch (const InputError&) {  // the family has no instance of this size
-      }
-    }
-  }
-  return certain;
+TEST(CrossingBounds, CertainEdgesAreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_greedy), 1000U); }
+
+TEST(CrossingBoundsSlow, CertainEdgesAreGreedyOnManyInstances) {
+  EXPECT_GT(test::sum_over_instances(100, 120, expect_greedy), 100'000U);
 }
-
-TEST(CrossingBounds, CertainEdgesAreGreedy) { EXPECT_GT(expect_greedy_on_all(6, 60), 1000U); }
-
-TEST(CrossingBoundsSlow, CertainEdgesAreGreedyOnManyInstances) { EXPECT_GT(expect_greedy_on_all(100, 120), 100'000U); }
 
 TEST(CrossingBounds, CertainEdgesOfWheelsAreGreedy) {
   for (const char* size : {"5", "14", "30", "60"}) {

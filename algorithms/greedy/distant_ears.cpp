@@ -2,18 +2,10 @@
 
 #include <algorithm>
 
+#include "algorithms/mesh/distance.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
-
-namespace {
-
-double squared_distance(const Point& p, const Point& q) {
-  const double dx = p.x - q.x, dy = p.y - q.y;
-  return dx * dx + dy * dy;
-}
-
-}  // namespace
 
 void DistantEars::begin(std::size_t corners) {
   last_step_ = steps_ + kStepsPerCorner * corners;
@@ -37,7 +29,7 @@ bool DistantEars::is_promising(FaceBoundary& boundary) {
 bool DistantEars::seems_distant(FaceBoundary& boundary, Corner c) {
   stretch_.enter(boundary, c - 1, c + 2);
   const double squared_length =
-      squared_distance(stretch_.point(stretch_.next(c)), stretch_.point(stretch_.previous(c)));
+      rounded_squared_distance(stretch_.point(stretch_.next(c)), stretch_.point(stretch_.previous(c)));
   return stretch_.clearance(c - 1) > squared_length && stretch_.clearance(c) > squared_length &&
          stretch_.clearance(c + 1) > squared_length;
 }
@@ -46,7 +38,7 @@ bool DistantEars::is_certain(DistantEar& ear) {
   if (!stretch_.is_inside(ear.c) || !stretch_.is_inside(ear.a) || !stretch_.is_inside(ear.b)) return false;
   const Point &a = stretch_.point(ear.a), &b = stretch_.point(ear.b), &c = stretch_.point(ear.c);
   // Far from underflow and overflow of floats, otherwise their rounding is well within a margin of 1e-6.
-  ear.squared_length = squared_distance(a, b);
+  ear.squared_length = rounded_squared_distance(a, b);
   ear.enough = ear.squared_length * (1 + 1e-6);
   if (!(ear.squared_length > 1e-30 && ear.squared_length < 1e30) || orientation(c, a, b) <= 0) return false;
   const auto next = [this](Corner x) { return stretch_.next(x); };
@@ -76,7 +68,7 @@ bool DistantEars::is_in_view(const DistantEar& ear, Corner x) const {
 // Whether the ear precedes the edge from its apex to another corner. Exact.
 bool DistantEars::precedes(const DistantEar& ear, Corner x) const {
   constexpr double kMargin = 1e-14;  // each side errs by less than 4.5e-16 of itself
-  const double squared = squared_distance(stretch_.point(ear.c), stretch_.point(x));
+  const double squared = rounded_squared_distance(stretch_.point(ear.c), stretch_.point(x));
   if (ear.squared_length * (1 + kMargin) < squared) return true;
   if (ear.squared_length > squared * (1 + kMargin)) return false;
   const FaceBoundary& boundary = stretch_.boundary();
@@ -154,7 +146,8 @@ bool DistantEars::leads_only_within(DistantEar& ear, Corner x, float& least) {
         ear.is_in_mesh |= x == ear.a && end->corner == ear.b;
         continue;
       }
-      if (end == nullptr && squared_distance(stretch_.point(ear.c), mesh_.point(target)) <= ear.enough) return false;
+      if (end == nullptr && rounded_squared_distance(stretch_.point(ear.c), mesh_.point(target)) <= ear.enough)
+        return false;
     }
     least = std::min(least, squared_length);
   }

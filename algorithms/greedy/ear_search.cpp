@@ -4,16 +4,12 @@
 #include <cmath>
 
 #include "algorithms/greedy/greedy_marks.h"
+#include "algorithms/mesh/distance.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
 
 namespace {
-
-double squared_distance(const Point& p, const Point& q) {
-  const double dx = p.x - q.x, dy = p.y - q.y;
-  return dx * dx + dy * dy;
-}
 
 // Whether segment uv is certainly farther than `squared` from c. Rounded towards no.
 bool is_surely_beyond(const Point& c, const Point& u, const Point& v, double squared) {
@@ -36,7 +32,7 @@ bool EarSearch::is_certain(const EarSite& site, std::size_t most_steps) {
   apex_ = mesh_.point(site.apex);
   a_ = mesh_.point(site.next);
   b_ = mesh_.point(site.previous);
-  squared_length_ = squared_distance(a_, b_);
+  squared_length_ = rounded_squared_distance(a_, b_);
   const bool in_range = squared_length_ > 1e-200 && squared_length_ < 1e200;
   if (!in_range || !is_convex_and_not_acute()) return false;
   if (std::any_of(site.beyond.begin(), site.beyond.end(), [this](Index v) { return stands_against(v); })) return false;
@@ -124,7 +120,7 @@ int EarSearch::side_of(const Point& p) const {
 
 EarSearch::Reach EarSearch::rounded_reach(const Point& p) const {
   constexpr double kMargin = 1e-14;  // each side errs by less than 4.5e-16 of itself
-  const double squared = squared_distance(apex_, p);
+  const double squared = rounded_squared_distance(apex_, p);
   if (squared > squared_length_ * (1 + kMargin)) return Reach::outside;
   return squared < squared_length_ * (1 - kMargin) ? Reach::inside : Reach::unclear;
 }

@@ -15,7 +15,7 @@ namespace mwt {
 /// splitting a star of d edges again and again takes O(d log d) in all, and wheels are no quadratic case.
 class FixedStars {
  public:
-  explicit FixedStars(const PlanarMesh& mesh) : mesh_(mesh) {}
+  explicit FixedStars(PlanarMesh& mesh) : mesh_(mesh) {}
 
   /// The first fixed halfedge after h, counter-clockwise or clockwise; h itself if there is no other and h is fixed.
   /// Precondition: at least one halfedge at h's origin is fixed.
@@ -38,9 +38,12 @@ class FixedStars {
 
   [[nodiscard]] bool is_fixed(Halfedge h) const { return (mesh_.marks(edge_of(h)) & kFixedMark) != 0; }
 
-  /// To be called for both halves of an edge once it is fixed.
-  void add(Halfedge h) {
-    if (is_linked(h)) link(h);
+  /// Fixes an edge: marks it and makes it known to the stars of its ends.
+  void fix(MeshEdge e) {
+    mesh_.marks(e) |= kFixedMark;
+    for (const Halfedge h : {2 * e, 2 * e + 1}) {
+      if (is_linked(h)) link(h);
+    }
   }
 
  private:
@@ -56,7 +59,7 @@ class FixedStars {
   void link(Halfedge h);
   void link_star(Halfedge h);
 
-  const PlanarMesh& mesh_;
+  PlanarMesh& mesh_;
   std::vector<bool> is_linked_;          // by vertex; empty until the first one is
   std::unique_ptr<Neighbours[]> links_;  // set for all fixed halfedges at linked vertices; others take no memory
 };

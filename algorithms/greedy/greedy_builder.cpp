@@ -52,10 +52,7 @@ void GreedyBuilder::divide_face() {
   const bool found = crossing_bounds_.find(face_);
   for (const MeshEdge e : face_) {
     mesh_.marks(e) = (mesh_.marks(e) & ~kFaceMark) | kDividedMark;
-    if (!found || !crossing_bounds_.is_certain(e)) continue;
-    mesh_.marks(e) |= kFixedMark;
-    stars_.add(2 * e);
-    stars_.add(2 * e + 1);
+    if (found && crossing_bounds_.is_certain(e)) stars_.fix(e);
   }
   crossing_bounds_.forget();
 }
@@ -242,9 +239,7 @@ void GreedyBuilder::take_from_heap() {
 }
 
 void GreedyBuilder::fix(MeshEdge e) {
-  mesh_.marks(e) |= kFixedMark;
-  stars_.add(2 * e);
-  stars_.add(2 * e + 1);
+  stars_.fix(e);
   for (const Halfedge h : {2 * e, 2 * e + 1}) {
     look_for_ear({stars_.right_of(h), h});
     look_for_ear({h, stars_.left_of(h)});

@@ -1,6 +1,5 @@
 #include "algorithms/greedy/pocket_insertion.h"
 
-#include "algorithms/greedy/greedy_marks.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
@@ -46,7 +45,7 @@ bool PocketInsertion::hides_convex_polygon(Corner apex) const {
 void PocketInsertion::insert_ear(Corner apex) {
   const Halfedge side = join(from_previous(apex), to_next(apex));
   stretch_.room(apex).side = side;
-  fix(side);
+  stars_.fix(edge_of(side));
 }
 
 // All spokes of the polygon's corners are flipped to its last corner; then the ears take the places of the fan that
@@ -81,7 +80,7 @@ void PocketInsertion::link_ears(Corner root) {
     }
     mesh_.link_triangle(from_previous(apex), to_next(apex), twin(stretch_.room(apex).side));
   }
-  for (std::size_t i = others; i < open_.size(); ++i) fix(stretch_.room(open_[i]).side);
+  for (std::size_t i = others; i < open_.size(); ++i) stars_.fix(edge_of(stretch_.room(open_[i]).side));
   open_.resize(others);
 }
 
@@ -103,12 +102,6 @@ Halfedge PocketInsertion::from_previous(Corner apex) const {
 Halfedge PocketInsertion::to_next(Corner apex) const {
   const Corner hidden = stretch_.room(apex).apex;
   return hidden == BoundaryStretch::kNone ? stretch_.first_side(apex) : stretch_.room(hidden).side;
-}
-
-void PocketInsertion::fix(Halfedge h) {
-  mesh_.marks(edge_of(h)) |= kFixedMark;
-  stars_.add(h);
-  stars_.add(twin(h));
 }
 
 }  // namespace mwt

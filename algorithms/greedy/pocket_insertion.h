@@ -29,7 +29,6 @@ class PocketInsertion {
   [[nodiscard]] Halfedge join(Halfedge to, Halfedge from);
   [[nodiscard]] Halfedge from_previous(Corner apex) const;
   [[nodiscard]] Halfedge to_next(Corner apex) const;
-  void fix(Halfedge h);
 
   PlanarMesh& mesh_;
   FixedStars& stars_;

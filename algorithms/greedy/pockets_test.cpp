@@ -5,27 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "algorithms/greedy/certified_edges.h"
 #include "algorithms/greedy/greedy_builder.h"
+#include "algorithms/greedy/greedy_testing.h"
 #include "algorithms/mesh/in_circle.h"
-#include "algorithms/mesh/shapes_for_tests.h"
-#include "algorithms/registry.h"
-#include "generators/registry.h"
 #include "geometry/checker.h"
-#include "geometry/error.h"
-#include "geometry/point_set.h"
 
 namespace mwt {
 
 namespace {
-
-std::vector<Edge> greedy_edges(Points points) {
-  const AlgorithmInfo& info = find_algorithm("greedy_report");
-  Context context;
-  context.parameters = Parameters(info.name, info.parameters, {});
-  return edges_of(info.function(points, context).triangulation);
-}
 
 struct Taken {
   std::vector<Edge> fixed;
@@ -72,31 +62,13 @@ Taken take(Points points, bool fixes_certified, std::size_t stretch, const std::
 
 // Returns how many ears were taken.
 std::size_t expect_greedy(Points points, const std::string& what) {
-  const std::vector<Edge> expected = greedy_edges(points);
+  const std::vector<Edge> expected = test::greedy_edges(points);
   std::size_t ears = 0;
   for (const bool fixes_certified : {false, true}) {
     for (const std::size_t stretch : {7U, 64U, 65536U}) {
       const Taken taken = take(points, fixes_certified, stretch, what);
       EXPECT_TRUE(std::includes(expected.begin(), expected.end(), taken.fixed.begin(), taken.fixed.end())) << what;
       ears += taken.ears;
-    }
-  }
-  return ears;
-}
-
-std::size_t expect_greedy_on_all(std::uint64_t seeds, Index smaller_n) {
-  std::size_t ears = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Index n = 3 + static_cast<Index>(7 * seed) % smaller_n;
-    for (const test::Shape& shape : test::shapes()) {
-      ears += expect_greedy(test::make_shape(shape, n, seed), shape.name + " n=" + std::to_string(n));
-    }
-    for (const GeneratorInfo& family : generators()) {
-      try {
-        const PointSet set = make_point_set(generate(family.name, n, seed, {}), family.name);
-        ears += expect_greedy(set.points, family.name + " n=" + std::to_string(n));
-      } catch (const InputError&) {  // the family has no instance of this size
-      }
     }
   }
   return ears;
@@ -121,9 +93,11 @@ std::vector<Point> make_curves(std::size_t n, std::uint64_t seed) {
   return make_point_set(points, "curves").points;
 }
 
-TEST(Pockets, EarsAreGreedy) { EXPECT_GT(expect_greedy_on_all(6, 60), 100U); }
+TEST(Pockets, EarsAreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_greedy), 100U); }
 
-TEST(PocketsSlow, EarsAreGreedyOnManyInstances) { EXPECT_GT(expect_greedy_on_all(80, 120), 10'000U); }
+TEST(PocketsSlow, EarsAreGreedyOnManyInstances) {
+  EXPECT_GT(test::sum_over_instances(80, 120, expect_greedy), 10'000U);
+}
 
 TEST(Pockets, EarsOfCurvesAreGreedy) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

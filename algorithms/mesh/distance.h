@@ -16,4 +16,10 @@ namespace mwt {
   return in_range ? std::sqrt(squared) : std::hypot(dx, dy);
 }
 
+/// The squared distance by the plain formula: relative error below 4.5e-16 while it stays in the range of doubles.
+[[nodiscard]] inline double rounded_squared_distance(const Point& p, const Point& q) {
+  const double dx = p.x - q.x, dy = p.y - q.y;
+  return dx * dx + dy * dy;
+}
+
 }  // namespace mwt
