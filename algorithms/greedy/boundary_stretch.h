@@ -34,7 +34,10 @@ class BoundaryStretch {
   void enter(FaceBoundary& boundary, Corner first, Corner last);
 
   /// Gives the memory back.
-  void leave() { rooms_ = {}; }
+  void leave() {
+    rooms_.clear();
+    rooms_.shrink_to_fit();
+  }
 
   [[nodiscard]] bool is_inside(Corner c) const { return c - first_ < rooms_.size(); }
   [[nodiscard]] Room& room(Corner c) { return rooms_[c - first_]; }
@@ -64,7 +67,7 @@ class BoundaryStretch {
   const PlanarMesh& mesh_;
   FaceBoundary* boundary_ = nullptr;
   Corner first_ = 0;
-  std::vector<Room> rooms_;
+  HugeVector<Room> rooms_;
 };
 
 }  // namespace mwt

@@ -9,7 +9,6 @@ namespace mwt {
 bool CertainEars::take(std::span<const MeshEdge> face) {
   FaceBoundary boundary(mesh_, face);
   if (pockets_.is_promising(boundary)) pockets_.take(boundary);
-  put_off_.clear();
   std::size_t possible = 0;
   for (std::size_t first = 0; first < boundary.size() && !stopped_; first += kBlock) {
     for (std::size_t c = first; c < std::min(first + kBlock, boundary.size()); ++c) {
@@ -20,6 +19,7 @@ bool CertainEars::take(std::span<const MeshEdge> face) {
     look_at_waiting(boundary);
   }
   look_at_put_off(boundary, kStepsPerCorner * possible);
+  waiting_.shrink_to_fit();  // large faces are few, and the memory is needed for what comes next
   return !stopped_;
 }
 
@@ -39,6 +39,8 @@ void CertainEars::look_at_put_off(FaceBoundary& boundary, std::size_t most_steps
     look_at(boundary, put_off_[i], last_step - search_.steps());
     look_at_waiting(boundary);
   }
+  put_off_.clear();
+  put_off_.shrink_to_fit();
 }
 
 // Takes the corner off if its ear is certain; then its neighbours and theirs are to be looked at.

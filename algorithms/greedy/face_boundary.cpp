@@ -6,6 +6,7 @@
 namespace mwt {
 
 FaceBoundary::FaceBoundary(PlanarMesh& mesh, std::span<const MeshEdge> face) : mesh_(mesh) {
+  corners_.reserve(face.size() + 3);  // as many as a polygon has with so many diagonals; more edges lie around holes
   for (const MeshEdge e : face) {
     for (const Halfedge h : {2 * e, 2 * e + 1}) {
       walk_from(mesh_.rotate_right(h));

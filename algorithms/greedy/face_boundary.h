@@ -71,7 +71,7 @@ class FaceBoundary {
   [[nodiscard]] bool is_fixed(Halfedge h) const;
 
   PlanarMesh& mesh_;
-  std::vector<Link> corners_;
+  HugeVector<Link> corners_;
 };
 
 }  // namespace mwt

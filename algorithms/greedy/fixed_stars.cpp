@@ -5,7 +5,7 @@ namespace mwt {
 FixedStars::Neighbours FixedStars::linked_neighbours(Halfedge h) {
   if (is_linked_.empty()) {
     is_linked_.resize(mesh_.point_count());
-    links_ = std::make_unique_for_overwrite<Neighbours[]>(2 * mesh_.edge_count());
+    links_.resize(2 * mesh_.edge_count());
   }
   if (!is_linked_[mesh_.origin(h)]) link_star(h);
   return is_fixed(h) ? links_[h] : find_neighbours(h);

@@ -1,7 +1,6 @@
 // The fixed edges around each vertex: who comes next, also at vertices with tens of thousands of edges.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "algorithms/greedy/greedy_marks.h"
@@ -60,8 +59,8 @@ class FixedStars {
   void link_star(Halfedge h);
 
   PlanarMesh& mesh_;
-  std::vector<bool> is_linked_;          // by vertex; empty until the first one is
-  std::unique_ptr<Neighbours[]> links_;  // set for all fixed halfedges at linked vertices; others take no memory
+  std::vector<bool> is_linked_;   // by vertex; empty until the first one is
+  HugeVector<Neighbours> links_;  // set for all fixed halfedges at linked vertices, without a value for others
 };
 
 }  // namespace mwt

@@ -19,10 +19,16 @@ GreedyCounters GreedyBuilder::run() {
 
 // Edges that need no comparison: the hull's, which are in every triangulation, and the certified ones.
 void GreedyBuilder::fix_certain_edges() {
+  std::size_t others = 0;
   for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
-    if (mesh_.is_hull(e) || is_certainly_greedy(mesh_, e)) mesh_.marks(e) |= kFixedMark;
+    if (mesh_.is_hull(e) || is_certainly_greedy(mesh_, e)) {
+      mesh_.marks(e) |= kFixedMark;
+    } else {
+      ++others;
+    }
     least_squared_length_ = std::min(least_squared_length_, mesh_.record(e).squared_length);
   }
+  face_.reserve(others);
 }
 
 // Fixed edges cut the plane into faces that do not influence each other: the one with e inside is brought to its

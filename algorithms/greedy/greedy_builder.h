@@ -75,7 +75,7 @@ class GreedyBuilder {
   GreedyCounters counters_;
   std::uint64_t steps_ = 0;
   float least_squared_length_ = std::numeric_limits<float>::infinity();
-  std::vector<MeshEdge> face_;
+  HugeVector<MeshEdge> face_;
   std::size_t fetched_ = 0;
 };
 

@@ -15,7 +15,8 @@ void Pockets::take(FaceBoundary& boundary, std::size_t stretch) {
     while (take_stretch(boundary, from) && from > 0 && !is_over()) from -= size_;
   }
   stretch_.leave();
-  waiting_ = {};
+  waiting_.clear();
+  waiting_.shrink_to_fit();
 }
 
 // Whether the first corner of the stretch that was left is gone or has another neighbour now. Ears grow along a

@@ -26,9 +26,11 @@ struct LinkedTriangle {
 /// walking from the one before, and the triangles whose circles it hits are replaced by its star (A. Bowyer, D. F.
 /// Watson, The Computer Journal 24, 1981). Decisions are exact, so the replaced region is always star-shaped.
 ///
+/// `points` gets a point at infinity at its end until the call returns: with room for it, nothing is copied.
+///
 /// Preconditions: distinct points, not all collinear (otherwise std::logic_error), fewer than 2^29, in spatial order
 /// for speed (any order for correctness). Expected O(n log n) time, in practice linear; 48 bytes per point.
 /// Deterministic.
-[[nodiscard]] HugeVector<LinkedTriangle> delaunay_triangles(Points points);
+[[nodiscard]] HugeVector<LinkedTriangle> delaunay_triangles(HugeVector<Point>& points);
 
 }  // namespace mwt

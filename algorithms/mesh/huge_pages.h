@@ -2,18 +2,35 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
+#include <limits>
 #include <new>
+#include <utility>
 #include <vector>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
 
 namespace mwt {
 
+/// The size that blocks of huge pages are rounded up to.
+inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
+
+/// A block of at least this many bytes (of any content), on the boundary of a huge page. A page that is new to the
+/// process has to be cleared by the system, on a virtual machine often by its host too, which costs more than an
+/// algorithm's work on it; so blocks come from those given back before, the smallest that is large enough, and new ones
+/// only when there is none. From any thread. Throws std::bad_alloc.
+[[nodiscard]] void* take_huge_pages(std::size_t bytes);
+
+/// Keeps a block of take_huge_pages(bytes), joined with its neighbours, for the next one who needs it.
+void give_back_huge_pages(void* block, std::size_t bytes) noexcept;
+
+/// Returns to the system so many bytes of what has been given back, or all of it: so that a measurement of memory
+/// starts from what is in use, or to make room for what comes from elsewhere.
+void release_kept_huge_pages(std::size_t bytes = std::numeric_limits<std::size_t>::max());
+
+/// How many bytes were given back and are kept.
+[[nodiscard]] std::size_t kept_huge_page_bytes();
+
 /// An allocator for std::vector. A mesh of a million points spans 25,000 ordinary pages, more than the processor's
-/// translation buffers hold, but only 50 huge ones; small arrays get ordinary memory.
+/// translation buffers hold, but only 50 huge ones; small arrays get ordinary memory. New elements of a vector that
+/// are not given a value, as by resize(n), have none if their type has no constructor: the pages are written once.
 template <class T>
 class HugePageAllocator {
  public:
@@ -25,28 +42,31 @@ class HugePageAllocator {
 
   T* allocate(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
-    if (bytes < kHugePage) return static_cast<T*>(::operator new (bytes, std::align_val_t{kAlignment}));
-    const std::size_t rounded = (bytes + kHugePage - 1) / kHugePage * kHugePage;
-    void* memory = std::aligned_alloc(kHugePage, rounded);
-    if (memory == nullptr) throw std::bad_alloc();
-#ifdef __linux__
-    madvise(memory, rounded, MADV_HUGEPAGE);  // advice only: a refusal costs speed, nothing else
-#endif
-    return static_cast<T*>(memory);
+    if (bytes >= kHugePage) return static_cast<T*>(take_huge_pages(bytes));
+    return static_cast<T*>(::operator new (bytes, std::align_val_t{kAlignment}));
   }
 
   void deallocate(T* memory, std::size_t count) {
-    if (count * sizeof(T) < kHugePage) {
-      ::operator delete (memory, std::align_val_t{kAlignment});
+    const std::size_t bytes = count * sizeof(T);
+    if (bytes >= kHugePage) {
+      give_back_huge_pages(memory, bytes);
     } else {
-      std::free(memory);
+      ::operator delete (memory, std::align_val_t{kAlignment});
     }
+  }
+
+  template <class Element>
+  void construct(Element* place) {
+    ::new (static_cast<void*>(place)) Element;
+  }
+  template <class Element, class... Values>
+  void construct(Element* place, Values&&... values) {
+    ::new (static_cast<void*>(place)) Element(std::forward<Values>(values)...);
   }
 
   friend bool operator==(const HugePageAllocator&, const HugePageAllocator&) { return true; }
 
  private:
-  static constexpr std::size_t kHugePage = std::size_t{1} << 21;
   static constexpr std::size_t kAlignment = 64;  // a cache line
 };
 

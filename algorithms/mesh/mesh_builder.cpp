@@ -18,7 +18,7 @@ constexpr std::uint32_t kNumbered = std::uint32_t{1} << 31;  // in place of a tw
 
 MeshBuilder::MeshBuilder(Points points) {
   mesh_.labels_ = spatial_order(points);
-  mesh_.points_.reserve(points.size());
+  mesh_.points_.reserve(points.size() + 1);  // and the point at infinity
   const int scale = exact_scale(points);
   mesh_.unit_ = std::scalbn(1.0, scale);
   for (const Index i : mesh_.labels_) {
@@ -61,15 +61,14 @@ PlanarMesh MeshBuilder::build(HugeVector<LinkedTriangle> triangles) {
   if (mesh_.points_.size() >= std::size_t{1} << 28) throw std::length_error("PlanarMesh: at most 2^28 points");
   triangles_ = std::move(triangles);
   order_triangles();
-  number_edges();
-  link_edges();
+  add_edges();
   link_outer_face();
   return std::move(mesh_);
 }
 
 void MeshBuilder::order_triangles() {
   const std::size_t point_count = mesh_.points_.size();
-  std::vector<std::uint32_t> place(point_count + 1, 0);
+  HugeVector<std::uint32_t> place(point_count + 1, 0);
   const auto first_point = [](const LinkedTriangle& t) {
     return std::min(t.corners[0], std::min(t.corners[1], t.corners[2]));
   };
@@ -84,33 +83,25 @@ void MeshBuilder::order_triangles() {
   }
 }
 
-// Replaces every twin by the number of the halfedge on this side. Real triangles come first to a hull edge, so that
-// its side 1 is the outer one.
-void MeshBuilder::number_edges() {
+// Numbers the edges as the triangles come to them, and puts the halfedge's number in place of each twin. Real
+// triangles come first to a hull edge, so that its side 1 is the outer one.
+void MeshBuilder::add_edges() {
+  mesh_.edges_.resize(mesh_.points_.size() + order_.size() - 1);  // Euler's formula
   Halfedge count = 0;
   for (const std::uint32_t t : order_) {
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const Side beyond = triangles_[t].twins[i];
-      if ((beyond & kNumbered) != 0) continue;
-      triangles_[t].twins[i] = kNumbered | count;
-      LinkedTriangle& neighbour = triangles_[beyond >> 2];
-      neighbour.twins[beyond & 3] = kNumbered | (count + 1);
-      const bool hull = neighbour.corners[((beyond & 3) + 2) % 3] == mesh_.points_.size();
-      if (hull) outer_.push_back(count + 1);
-      count += 2;
-    }
-  }
-  mesh_.edges_.resize(count / 2);
-}
-
-void MeshBuilder::link_edges() {
-  for (const std::uint32_t t : order_) {
+    LinkedTriangle& triangle = triangles_[t];
     std::array<Halfedge, 3> sides;
     for (std::uint32_t i = 0; i < 3; ++i) {
-      sides[i] = triangles_[t].twins[i] & ~kNumbered;
-      const bool first_half = (sides[i] & 1) == 0;  // each edge has one, in a real triangle
-      if (first_half)
-        mesh_.set_edge(sides[i] >> 1, triangles_[t].corners[i], triangles_[t].corners[i == 2 ? 0 : i + 1]);
+      const Side beyond = triangle.twins[i];
+      sides[i] = beyond & ~kNumbered;
+      if ((beyond & kNumbered) != 0) continue;
+      sides[i] = count;
+      mesh_.set_edge(edge_of(count), triangle.corners[i], triangle.corners[i == 2 ? 0 : i + 1]);
+      LinkedTriangle& neighbour = triangles_[beyond >> 2];
+      neighbour.twins[beyond & 3] = kNumbered | twin(count);
+      const bool hull = neighbour.corners[((beyond & 3) + 2) % 3] == mesh_.points_.size();
+      if (hull) outer_.push_back(twin(count));
+      count += 2;
     }
     mesh_.link_triangle(sides[0], sides[1], sides[2]);
   }

@@ -20,15 +20,14 @@ class MeshBuilder {
  private:
   [[nodiscard]] HugeVector<LinkedTriangle> linked(const Triangulation& triangulation) const;
   void order_triangles();
-  void number_edges();
-  void link_edges();
+  void add_edges();
   void link_outer_face();
   PlanarMesh build(HugeVector<LinkedTriangle> triangles);
 
   PlanarMesh mesh_;
   HugeVector<LinkedTriangle> triangles_;
-  std::vector<std::uint32_t> order_;  // the real triangles by their first point
-  std::vector<Halfedge> outer_;       // halfedges of the outer face
+  HugeVector<std::uint32_t> order_;  // the real triangles by their first point
+  std::vector<Halfedge> outer_;      // halfedges of the outer face
 };
 
 }  // namespace mwt

@@ -73,7 +73,9 @@ TEST(DelaunayTriangles, HaveEmptyCirclesAndConsistentTwinsOnAllShapes) {
   for (const Shape& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 2000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
-      const auto triangles = delaunay_triangles(points);
+      HugeVector<Point> with_room(points.begin(), points.end());
+      const auto triangles = delaunay_triangles(with_room);
+      ASSERT_TRUE(std::ranges::equal(with_room, points)) << shape.name;
       for (std::uint32_t t = 0; t < triangles.size(); ++t) {
         for (std::uint32_t i = 0; i < 3; ++i) {
           const Side beyond = triangles[t].twins[i];

@@ -1,0 +1,143 @@
+#include "algorithms/mesh/huge_pages.h"
+
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <mutex>
+
+#if __has_include(<sanitizer/asan_interface.h>)
+#include <sanitizer/asan_interface.h>
+#else
+#define ASAN_POISON_MEMORY_REGION(address, size)
+#define ASAN_UNPOISON_MEMORY_REGION(address, size)
+#endif
+
+namespace mwt {
+
+namespace {
+
+std::size_t whole_pages(std::size_t bytes) { return (bytes + kHugePage - 1) / kHugePage * kHugePage; }
+
+// A block that is new to the process; nothing if the system refuses.
+char* map_new_block(std::size_t size) {
+  const std::size_t with_slack = size + kHugePage;  // mappings start at any ordinary page
+  void* mapped = mmap(nullptr, with_slack, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) return nullptr;
+  // Systems fill the address space from above: as high as possible, the block adjoins the one before, for them to join.
+  char* const end = static_cast<char*>(mapped) + with_slack;
+  const std::size_t behind = reinterpret_cast<std::uintptr_t>(end) % kHugePage;
+  char* const block = end - behind - size;
+  if (behind > 0) munmap(end - behind, behind);
+  if (behind < kHugePage) munmap(mapped, kHugePage - behind);
+#ifdef MADV_HUGEPAGE
+  madvise(block, size, MADV_HUGEPAGE);  // advice only: a refusal costs speed, nothing else
+#endif
+  return block;
+}
+
+// The blocks that were given back. Few at any time: only arrays of megabytes come here.
+class KeptBlocks {
+ public:
+  // Nothing if none is large enough.
+  char* take(std::size_t size) {
+    auto best = size_at_.end();
+    for (auto block = size_at_.begin(); block != size_at_.end(); ++block) {
+      if (block->second >= size && (best == size_at_.end() || block->second < best->second)) best = block;
+    }
+    if (best == size_at_.end()) return nullptr;
+    const auto [start, whole] = *best;
+    size_at_.erase(best);
+    if (whole > size) size_at_.emplace(start + size, whole - size);
+    ASAN_UNPOISON_MEMORY_REGION(start, size);
+    return start;
+  }
+
+  void put(char* start, std::size_t size) {
+    const auto block = size_at_.emplace(start, size).first;
+    ASAN_POISON_MEMORY_REGION(start, size);
+    const auto after = std::next(block);
+    if (after != size_at_.end() && start + size == after->first) {
+      block->second += after->second;
+      size_at_.erase(after);
+    }
+    if (block == size_at_.begin()) return;
+    const auto before = std::prev(block);
+    if (before->first + before->second == start) {
+      before->second += block->second;
+      size_at_.erase(block);
+    }
+  }
+
+  // At least so many bytes, or all.
+  void unmap(std::size_t bytes) {
+    for (auto block = size_at_.begin(); block != size_at_.end() && bytes > 0; block = size_at_.begin()) {
+      auto& [start, size] = *block;
+      const std::size_t part = std::min(size, bytes < size ? whole_pages(bytes) : size);
+      char* const end = start + size;
+      ASAN_UNPOISON_MEMORY_REGION(end - part, part);
+      munmap(end - part, part);
+      bytes -= std::min(bytes, part);
+      size -= part;
+      if (size == 0) size_at_.erase(block);
+    }
+  }
+
+  [[nodiscard]] std::size_t bytes() const {
+    std::size_t sum = 0;
+    for (const auto& [start, size] : size_at_) sum += size;
+    return sum;
+  }
+
+ private:
+  std::map<char*, std::size_t> size_at_;
+};
+
+struct SharedBlocks {
+  std::mutex mutex;
+  KeptBlocks blocks;
+};
+
+// Never destroyed: arrays of static storage may be given back after it would have been.
+SharedBlocks& kept() {
+  static auto* const shared = new SharedBlocks;
+  return *shared;
+}
+
+}  // namespace
+
+void* take_huge_pages(std::size_t bytes) {
+  if (bytes > std::numeric_limits<std::size_t>::max() / 2) throw std::bad_alloc();
+  const std::size_t size = whole_pages(bytes);
+  {
+    const std::scoped_lock lock(kept().mutex);
+    if (char* const block = kept().blocks.take(size)) return block;
+  }
+  if (char* const block = map_new_block(size)) return block;
+  release_kept_huge_pages();  // scattered blocks may be what the system lacks
+  if (char* const block = map_new_block(size)) return block;
+  throw std::bad_alloc();
+}
+
+void give_back_huge_pages(void* block, std::size_t bytes) noexcept {
+  const std::scoped_lock lock(kept().mutex);
+  try {
+    kept().blocks.put(static_cast<char*>(block), whole_pages(bytes));
+  } catch (const std::bad_alloc&) {  // no memory to remember it by
+    munmap(block, whole_pages(bytes));
+  }
+}
+
+void release_kept_huge_pages(std::size_t bytes) {
+  const std::scoped_lock lock(kept().mutex);
+  kept().blocks.unmap(bytes);
+}
+
+std::size_t kept_huge_page_bytes() {
+  const std::scoped_lock lock(kept().mutex);
+  return kept().blocks.bytes();
+}
+
+}  // namespace mwt
