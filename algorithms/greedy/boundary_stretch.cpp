@@ -12,7 +12,7 @@ void BoundaryStretch::enter(FaceBoundary& boundary, Corner first, Corner last) {
   first_ = first;
   rooms_.clear();
   for (Corner c = first; c < last; ++c) {
-    rooms_.push_back({kUnknown, kFar, kNone, kNone, boundary.previous(c), kNone, false, false});
+    rooms_.push_back({kUnknown, kFar, kNone, kNone, boundary.previous(c), boundary.next(c), kNone, false, false});
   }
 }
 
@@ -28,7 +28,7 @@ float BoundaryStretch::clearance(Corner c) {
 }
 
 bool BoundaryStretch::faces(Corner c, const Point& p) const {
-  const Point &at = point(c), &from = point(room(c).before), &to = mesh_.point(mesh_.target(first_side(c)));
+  const Point &at = point(c), &from = point(room(c).before), &to = point(room(c).after);
   const bool is_left_of_first = orientation(at, to, p) > 0, is_left_of_last = orientation(from, at, p) > 0;
   const bool is_convex = orientation(from, at, to) > 0;
   return is_convex ? is_left_of_first && is_left_of_last : is_left_of_first || is_left_of_last;
@@ -37,9 +37,9 @@ bool BoundaryStretch::faces(Corner c, const Point& p) const {
 void BoundaryStretch::cut(Corner c, float next, float previous, float pocket) {
   Room &here = room(c), &before = room(boundary_->previous(c));
   const auto is_convex = [this](Corner apex) { return apex == kNone || room(apex).is_convex; };
-  const Point& to = mesh_.point(mesh_.target(first_side(c)));
   here.left = before.apex;
-  here.is_convex = orientation(point(here.before), point(c), to) > 0 && is_convex(here.left) && is_convex(here.apex);
+  here.is_convex =
+      orientation(point(here.before), point(c), point(here.after)) > 0 && is_convex(here.left) && is_convex(here.apex);
   before.apex = c;
   before.pocket = pocket;
   before.clearance = previous;

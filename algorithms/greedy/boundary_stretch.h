@@ -23,6 +23,7 @@ class BoundaryStretch {
     Corner apex;      ///< of the longest ear of that pocket; kNone if it is empty
     Corner left;      ///< once cut: the same for the pocket on the side of the previous corner
     Corner before;    ///< the previous corner before the first cut
+    Corner after;     ///< the next corner before the first cut
     Halfedge side;    ///< of its ear, from the previous corner to the next; kNone until it is in the mesh
     bool is_convex;   ///< once cut: the boundary turned left here and at all corners that its ear hides
     bool is_waiting;

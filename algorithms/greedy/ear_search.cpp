@@ -1,29 +1,12 @@
 #include "algorithms/greedy/ear_search.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "algorithms/greedy/greedy_marks.h"
 #include "algorithms/mesh/distance.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
-
-namespace {
-
-// Whether segment uv is certainly farther than `squared` from c. Rounded towards no.
-bool is_surely_beyond(const Point& c, const Point& u, const Point& v, double squared) {
-  constexpr double kMargin = 1 + 1e-12;
-  const double ux = u.x - c.x, uy = u.y - c.y, vx = v.x - c.x, vy = v.y - c.y;
-  const double wx = vx - ux, wy = vy - uy;
-  if (ux * wx + uy * wy >= 0) return ux * ux + uy * uy > squared * kMargin;
-  if (vx * wx + vy * wy <= 0) return vx * vx + vy * vy > squared * kMargin;
-  const double left = ux * vy, right = uy * vx;
-  const double area = std::abs(left - right) - 8e-16 * (std::abs(left) + std::abs(right));
-  return area > 0 && area * area > squared * (wx * wx + wy * wy) * kMargin;
-}
-
-}  // namespace
 
 bool EarSearch::is_certain(const EarSite& site, std::size_t most_steps) {
   site_ = site;
@@ -96,7 +79,7 @@ bool EarSearch::open(const Window& window, Reach third) {
   const bool both_outside = window.from.reach == Reach::outside && window.to.reach == Reach::outside;
   if (both_outside && third == Reach::inside) return true;
   const Point &from = mesh_.point(window.from.point), &to = mesh_.point(window.to.point);
-  if (both_outside && is_surely_beyond(apex_, from, to, squared_length_)) return true;
+  if (both_outside && is_surely_farther(apex_, from, to, squared_length_)) return true;
   if (count_ == kMostWindows) return false;
   windows_[count_++] = window;
   return true;

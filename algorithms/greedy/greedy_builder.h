@@ -9,6 +9,7 @@
 #include "algorithms/greedy/certain_ears.h"
 #include "algorithms/greedy/crossing_bounds.h"
 #include "algorithms/greedy/ear_insertion.h"
+#include "algorithms/greedy/face_cuts.h"
 #include "algorithms/greedy/fixed_stars.h"
 #include "algorithms/greedy/greedy.h"
 
@@ -29,16 +30,23 @@ class GreedyBuilder {
         stars_(mesh),
         insertion_(mesh, stars_),
         certain_ears_(mesh, order_, stars_, insertion_, context),
-        crossing_bounds_(mesh) {}
+        crossing_bounds_(mesh),
+        cuts_(mesh) {}
 
   GreedyCounters run();
 
  private:
   void fix_certain_edges();
   void solve_face(MeshEdge e);
-  void collect_face(MeshEdge e);
+  void reduce_all_faces();
+  [[nodiscard]] bool faces_are_large();
+  void collect_all();
+  void collect_face(MeshEdge e, std::size_t most = std::numeric_limits<std::size_t>::max());
+  [[nodiscard]] bool reduce_face(std::uint32_t tried);
   void divide_face();
   void take_certain_ears();
+  void cut_face();
+  void leave_face(std::uint32_t tried);
   void sort_face();
   void start_queue();
   void empty_queue();
@@ -72,6 +80,7 @@ class GreedyBuilder {
   EarInsertion insertion_;
   CertainEars certain_ears_;
   CrossingBounds crossing_bounds_;
+  FaceCuts cuts_;
   GreedyCounters counters_;
   std::uint64_t steps_ = 0;
   float least_squared_length_ = std::numeric_limits<float>::infinity();

@@ -18,10 +18,11 @@ inline constexpr std::array<std::uint32_t, 2> kCornerMarks = {256, 512};  // the
 inline constexpr std::uint32_t kEarsTakenMark = 1024;                     // certain ears of its face have been taken
 inline constexpr std::uint32_t kDividedMark = 2048;                       // certain edges of its face have been fixed
 inline constexpr std::uint32_t kLoweredMark = 4096;                       // has a new CrossingBounds
+inline constexpr std::uint32_t kCutMark = 8192;                           // its face has been cut by CrossingSearch
 
 inline constexpr std::uint32_t kGreedyMarks = kFixedMark | kFlippedMark | kWatchedMarks[0] | kWatchedMarks[1] |
                                               kInnerMark | kFaceMark | kCandidateMark | kCornerMarks[0] |
-                                              kCornerMarks[1] | kEarsTakenMark | kDividedMark | kLoweredMark;
+                                              kCornerMarks[1] | kEarsTakenMark | kDividedMark | kLoweredMark | kCutMark;
 static_assert((kGreedyMarks & (kHullMark | kLastingMarks)) == 0);
 
 }  // namespace mwt

@@ -22,4 +22,16 @@ namespace mwt {
   return dx * dx + dy * dy;
 }
 
+/// Whether the segment uv is certainly farther from c than the square root of `squared`. Rounded towards no.
+[[nodiscard]] inline bool is_surely_farther(const Point& c, const Point& u, const Point& v, double squared) {
+  constexpr double kMargin = 1 + 1e-12;
+  const double ux = u.x - c.x, uy = u.y - c.y, vx = v.x - c.x, vy = v.y - c.y;
+  const double wx = vx - ux, wy = vy - uy;
+  if (ux * wx + uy * wy >= 0) return ux * ux + uy * uy > squared * kMargin;
+  if (vx * wx + vy * wy <= 0) return vx * vx + vy * vy > squared * kMargin;
+  const double left = ux * vy, right = uy * vx;
+  const double area = std::abs(left - right) - 8e-16 * (std::abs(left) + std::abs(right));
+  return area > 0 && area * area > squared * (wx * wx + wy * wy) * kMargin;
+}
+
 }  // namespace mwt

@@ -71,17 +71,19 @@ class KeptBlocks {
     }
   }
 
-  // At least so many bytes, or all.
-  void unmap(std::size_t bytes) {
-    for (auto block = size_at_.begin(); block != size_at_.end() && bytes > 0; block = size_at_.begin()) {
-      auto& [start, size] = *block;
-      const std::size_t part = std::min(size, bytes < size ? whole_pages(bytes) : size);
-      char* const end = start + size;
-      ASAN_UNPOISON_MEMORY_REGION(end - part, part);
-      munmap(end - part, part);
+  void unmap() {
+    for (const auto& [start, size] : size_at_) {
+      ASAN_UNPOISON_MEMORY_REGION(start, size);
+      munmap(start, size);
+    }
+    size_at_.clear();
+  }
+
+  void vacate(std::size_t bytes) {
+    for (const auto& [start, size] : size_at_) {
+      const std::size_t part = bytes < size ? whole_pages(bytes) : size;
+      madvise(start, part, MADV_DONTNEED);
       bytes -= std::min(bytes, part);
-      size -= part;
-      if (size == 0) size_at_.erase(block);
     }
   }
 
@@ -130,9 +132,14 @@ void give_back_huge_pages(void* block, std::size_t bytes) noexcept {
   }
 }
 
-void release_kept_huge_pages(std::size_t bytes) {
+void release_kept_huge_pages() {
   const std::scoped_lock lock(kept().mutex);
-  kept().blocks.unmap(bytes);
+  kept().blocks.unmap();
+}
+
+void vacate_kept_huge_pages(std::size_t bytes) {
+  const std::scoped_lock lock(kept().mutex);
+  kept().blocks.vacate(bytes);
 }
 
 std::size_t kept_huge_page_bytes() {

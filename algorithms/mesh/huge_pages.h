@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <new>
 #include <utility>
 #include <vector>
@@ -21,11 +20,14 @@ inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
 /// Keeps a block of take_huge_pages(bytes), joined with its neighbours, for the next one who needs it.
 void give_back_huge_pages(void* block, std::size_t bytes) noexcept;
 
-/// Returns to the system so many bytes of what has been given back, or all of it: so that a measurement of memory
-/// starts from what is in use, or to make room for what comes from elsewhere.
-void release_kept_huge_pages(std::size_t bytes = std::numeric_limits<std::size_t>::max());
+/// Returns all that was given back to the system, so that a measurement of memory starts from what is in use.
+void release_kept_huge_pages();
 
-/// How many bytes were given back and are kept.
+/// Makes room for so many bytes from elsewhere: the kept blocks stay, but as much of them is without memory until it is
+/// used again.
+void vacate_kept_huge_pages(std::size_t bytes);
+
+/// The size of the blocks that are kept.
 [[nodiscard]] std::size_t kept_huge_page_bytes();
 
 /// An allocator for std::vector. A mesh of a million points spans 25,000 ordinary pages, more than the processor's

@@ -56,14 +56,23 @@ TEST_F(HugePages, GivenBackPieceByPieceAreOneBlockAgain) {
   }
 }
 
-TEST_F(HugePages, ReturnToTheSystemAsFarAsAsked) {
+TEST_F(HugePages, ReturnToTheSystemWhenReleased) {
   give_back_huge_pages(take_huge_pages(8 * kHugePage), 8 * kHugePage);
-  release_kept_huge_pages(3 * kHugePage - 1);
-  EXPECT_EQ(kept_huge_page_bytes(), 5 * kHugePage);
-  release_kept_huge_pages(0);
-  EXPECT_EQ(kept_huge_page_bytes(), 5 * kHugePage);
   release_kept_huge_pages();
   EXPECT_EQ(kept_huge_page_bytes(), 0U);
+}
+
+// What was written before is gone where the memory is, and only there: the system gives zeros instead.
+TEST_F(HugePages, LeaveTheirMemoryWhereVacated) {
+  char* const block = static_cast<char*>(take_huge_pages(8 * kHugePage));
+  std::memset(block, 1, 8 * kHugePage);
+  give_back_huge_pages(block, 8 * kHugePage);
+  vacate_kept_huge_pages(0);
+  vacate_kept_huge_pages(2 * kHugePage + 1);
+  EXPECT_EQ(kept_huge_page_bytes(), 8 * kHugePage);
+  ASSERT_EQ(take_huge_pages(8 * kHugePage), block);
+  EXPECT_EQ(std::count(block, block + 8 * kHugePage, 0), static_cast<std::ptrdiff_t>(3 * kHugePage));
+  give_back_huge_pages(block, 8 * kHugePage);
 }
 
 TEST_F(HugePages, ThrowWhereTheSystemHasNoMore) {

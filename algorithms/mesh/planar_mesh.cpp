@@ -59,14 +59,14 @@ void PlanarMesh::clear_marks(std::uint32_t marks) {
 Triangulation PlanarMesh::triangulation() const {
   Triangulation result;
   result.point_count = static_cast<Index>(points_.size());
-  release_kept_huge_pages(2 * points_.size() * sizeof(Triangle));  // the list needs as much: the peak stays
+  vacate_kept_huge_pages(2 * points_.size() * sizeof(Triangle));  // for this list
   result.triangles.reserve(2 * points_.size());
   for (Halfedge h = 0; h < 2 * edges_.size(); ++h) {
     const Halfedge second = next(h), third = previous(h);
     // Every triangle is met at its smallest halfedge; the outer face has kHullMark on side 1 of its edges.
     const bool outer = (h & 1) == 1 && is_hull(edge_of(h));
     if (outer || second < h || third < h) continue;
-    result.triangles.push_back({labels_[origin(h)], labels_[origin(second)], labels_[origin(third)]});
+    result.triangles.push_back({labels_[origin(h)], labels_[target(h)], labels_[origin(third)]});
   }
   return result;
 }
