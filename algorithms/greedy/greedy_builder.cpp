@@ -9,11 +9,14 @@ namespace mwt {
 
 GreedyCounters GreedyBuilder::run() {
   fix_certain_edges();
-  reduce_all_faces();
+  if (faces_.reduce_all()) solve();
   for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
-    while ((mesh_.marks(e) & (kFixedMark | kFaceMark)) == 0 && !counters_.stopped_early) solve_face(e);
+    while ((mesh_.marks(e) & (kFixedMark | kFaceMark)) == 0 && !stopped_early()) {
+      if (!faces_.reduce_face(e)) solve();
+    }
   }
-  counters_.ears += certain_ears_.inserted();
+  counters_.stopped_early = stopped_early();
+  counters_.ears += faces_.inserted_ears();
   counters_.flips = insertion_.flips();
   return counters_;
 }
@@ -29,131 +32,22 @@ void GreedyBuilder::fix_certain_edges() {
     }
     least_squared_length_ = std::min(least_squared_length_, mesh_.record(e).squared_length);
   }
-  face_.reserve(others);
+  faces_.reserve(others);
 }
 
-// Most edges may be inside large faces. These need not be told apart while they are made smaller.
-void GreedyBuilder::reduce_all_faces() {
-  while (!counters_.stopped_early && faces_are_large()) {
-    collect_all();
-    if (reduce_face(mesh_.marks(face_.front()))) continue;
-    start_queue();
-    empty_queue();
-    return;
-  }
-}
-
-// A guess, from samples.
-bool GreedyBuilder::faces_are_large() {
-  constexpr std::size_t kSamples = 64;
-  const std::size_t distance = mesh_.edge_count() / kSamples + 1;
-  std::size_t inside = 0, in_large = 0;
-  for (std::size_t e = distance / 2; e < mesh_.edge_count(); e += distance) {
-    if ((mesh_.marks(static_cast<MeshEdge>(e)) & kFixedMark) != 0) continue;
-    collect_face(static_cast<MeshEdge>(e), large_face_ + 1);
-    ++inside;
-    in_large += face_.size() > large_face_ ? 1 : 0;
-    leave_face(0);
-  }
-  return inside >= kSamples / 8 && 10 * in_large > 9 * inside;
-}
-
-void GreedyBuilder::collect_all() {
-  face_.clear();
-  for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
-    std::uint32_t& marks = mesh_.marks(e);
-    if ((marks & kFixedMark) != 0) continue;
-    marks = (marks & ~kFlippedMark) | kFaceMark;
-    face_.push_back(e);
-  }
-}
-
-// Fixed edges cut the plane into faces that do not influence each other: the one with e inside is brought to its
-// greedy triangulation, while all it touches stays in the cache; or, if no cache holds it, a step nearer to that.
-void GreedyBuilder::solve_face(MeshEdge e) {
-  collect_face(e);
-  if (face_.size() > large_face_ && reduce_face(mesh_.marks(e))) return;
+// Brings the edges at hand to greedy's triangulation, in the order of length.
+void GreedyBuilder::solve() {
   start_queue();
   empty_queue();
 }
 
-// Leaves less of a large face to be done in the order of length, by the next means that was not tried yet. False if
-// nothing is left to try; otherwise its faces are to be collected again.
-bool GreedyBuilder::reduce_face(std::uint32_t tried) {
-  if ((tried & (kDividedMark | kEarsTakenMark)) == 0 && crossing_bounds_.is_promising(face_)) {
-    divide_face();
-  } else if ((tried & kEarsTakenMark) == 0) {
-    take_certain_ears();
-  } else if ((tried & kCutMark) == 0) {
-    cut_face();
-  } else {
-    return false;
-  }
-  return true;
-}
-
-// Fixes those edges of a face that nothing can cross, if they are likely to be many.
-void GreedyBuilder::divide_face() {
-  sort_face();
-  const bool found = crossing_bounds_.find(face_);
-  for (const MeshEdge e : face_) {
-    if (found && crossing_bounds_.is_certain(e)) stars_.fix(e);
-  }
-  crossing_bounds_.forget();
-  leave_face(kDividedMark);
-}
-
-void GreedyBuilder::take_certain_ears() {
-  sort_face();
-  counters_.stopped_early = !certain_ears_.take(face_);
-  leave_face(kEarsTakenMark);
-}
-
-// Fixes the shortest ways between boundaries, if they are likely to be many.
-void GreedyBuilder::cut_face() {
-  if (cuts_.is_promising(face_)) {
-    for (const MeshEdge e : cuts_.find(face_)) stars_.fix(e);
-  }
-  leave_face(kCutMark);
-}
-
-void GreedyBuilder::leave_face(std::uint32_t tried) {
-  for (const MeshEdge e : face_) mesh_.marks(e) = (mesh_.marks(e) & ~kFaceMark) | tried;
-}
-
-// All edges that can be reached from e through triangles without crossing a fixed edge; or `most` of them and few more.
-void GreedyBuilder::collect_face(MeshEdge e, std::size_t most) {
-  face_.assign(1, e);
-  mesh_.marks(e) = (mesh_.marks(e) & ~kFlippedMark) | kFaceMark;
-  for (std::size_t i = 0; i < face_.size() && face_.size() < most; ++i) {
-    for (const Halfedge h : {2 * face_[i], 2 * face_[i] + 1}) {
-      for (const Halfedge side : {mesh_.next(h), mesh_.previous(h)}) {
-        std::uint32_t& marks = mesh_.marks(edge_of(side));
-        if ((marks & (kFixedMark | kFaceMark)) != 0) continue;
-        marks = (marks & ~kFlippedMark) | kFaceMark;
-        face_.push_back(edge_of(side));
-      }
-    }
-  }
-}
-
-// Into the order of memory. All faces before this one are done: their edges are fixed.
-void GreedyBuilder::sort_face() {
-  if (std::is_sorted(face_.begin(), face_.end())) return;
-  const bool is_small = 16 * face_.size() < mesh_.edge_count();
-  if (is_small) return std::sort(face_.begin(), face_.end());
-  face_.clear();
-  for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
-    if ((mesh_.marks(e) & (kFaceMark | kFixedMark)) == kFaceMark) face_.push_back(e);
-  }
-}
-
 void GreedyBuilder::start_queue() {
-  const auto others = std::partition(face_.begin(), face_.end(), [this](MeshEdge e) { return is_candidate(e); });
-  const std::span<const MeshEdge> candidates(face_.begin(), others);
+  const std::span<MeshEdge> face = faces_.edges();
+  const auto others = std::partition(face.begin(), face.end(), [this](MeshEdge e) { return is_candidate(e); });
+  const std::span<const MeshEdge> candidates(face.begin(), others);
   for (const MeshEdge inside : candidates) mesh_.marks(inside) |= kCandidateMark;
   sorted_.sort(candidates);
-  for (const MeshEdge inside : face_) {
+  for (const MeshEdge inside : face) {
     for (const Halfedge spoke : {2 * inside, 2 * inside + 1}) {
       const Halfedge right = mesh_.rotate_right(spoke);
       if (stars_.is_fixed(right)) look_for_ear({right, stars_.left_of(spoke)});

@@ -6,10 +6,8 @@
 
 #include "algorithms/algorithm.h"
 #include "algorithms/greedy/candidate_queue.h"
-#include "algorithms/greedy/certain_ears.h"
-#include "algorithms/greedy/crossing_bounds.h"
 #include "algorithms/greedy/ear_insertion.h"
-#include "algorithms/greedy/face_cuts.h"
+#include "algorithms/greedy/faces.h"
 #include "algorithms/greedy/fixed_stars.h"
 #include "algorithms/greedy/greedy.h"
 
@@ -19,35 +17,23 @@ namespace mwt {
 /// kFixedMark as constraints.
 class GreedyBuilder {
  public:
-  /// Faces with more edges than `large_face` are broken up by certain ears first, for the cache's sake.
+  /// Faces with more edges than `large_face` are made smaller first, for the cache's sake.
   GreedyBuilder(PlanarMesh& mesh, const Context& context, std::size_t large_face = 10'000)
       : mesh_(mesh),
         context_(context),
-        large_face_(large_face),
         order_(mesh.points(), mesh.labels()),
         sorted_(mesh, order_),
         heap_(order_),
         stars_(mesh),
         insertion_(mesh, stars_),
-        certain_ears_(mesh, order_, stars_, insertion_, context),
-        crossing_bounds_(mesh),
-        cuts_(mesh) {}
+        faces_(mesh, order_, stars_, insertion_, context, large_face) {}
 
   GreedyCounters run();
 
  private:
   void fix_certain_edges();
-  void solve_face(MeshEdge e);
-  void reduce_all_faces();
-  [[nodiscard]] bool faces_are_large();
-  void collect_all();
-  void collect_face(MeshEdge e, std::size_t most = std::numeric_limits<std::size_t>::max());
-  [[nodiscard]] bool reduce_face(std::uint32_t tried);
-  void divide_face();
-  void take_certain_ears();
-  void cut_face();
-  void leave_face(std::uint32_t tried);
-  void sort_face();
+  void solve();
+  [[nodiscard]] bool stopped_early() const { return counters_.stopped_early || faces_.stopped_early(); }
   void start_queue();
   void empty_queue();
   void decide_order();
@@ -72,19 +58,15 @@ class GreedyBuilder {
 
   PlanarMesh& mesh_;
   const Context& context_;
-  std::size_t large_face_;
   EdgeOrder order_;
   EdgeSorter sorted_;
   CandidateHeap heap_;
   FixedStars stars_;
   EarInsertion insertion_;
-  CertainEars certain_ears_;
-  CrossingBounds crossing_bounds_;
-  FaceCuts cuts_;
+  Faces faces_;
   GreedyCounters counters_;
   std::uint64_t steps_ = 0;
   float least_squared_length_ = std::numeric_limits<float>::infinity();
-  HugeVector<MeshEdge> face_;
   std::size_t fetched_ = 0;
 };
 
