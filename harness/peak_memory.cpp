@@ -4,13 +4,13 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "algorithms/mesh/huge_pages.h"
+#include "algorithms/mesh/kept_memory.h"
 #include "harness/proc_file.h"
 
 namespace mwt {
 
 void reset_peak_memory() {
-  release_kept_huge_pages();
+  release_kept_blocks();
   const int file = open("/proc/self/clear_refs", O_WRONLY | O_CLOEXEC);
   if (file < 0) return;
   // "5" resets VmHWM; where that is refused, peak_memory_bytes() documents what remains.

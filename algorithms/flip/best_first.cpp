@@ -9,7 +9,7 @@
 
 #include "algorithms/flip/counted_flips.h"
 #include "algorithms/flip/improving_flip.h"
-#include "algorithms/mesh/huge_pages.h"
+#include "algorithms/mesh/kept_memory.h"
 
 namespace mwt {
 
@@ -65,8 +65,8 @@ class FlipHistory {
   }
 
  private:
-  HugeVector<FlipNumber> last_;  // of each edge
-  HugeVector<DoneFlip> flips_;   // also those taken back
+  KeptVector<FlipNumber> last_;  // of each edge
+  KeptVector<DoneFlip> flips_;   // also those taken back
   std::size_t taken_back_ = 0;
 };
 

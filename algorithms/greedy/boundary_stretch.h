@@ -68,7 +68,7 @@ class BoundaryStretch {
   const PlanarMesh& mesh_;
   FaceBoundary* boundary_ = nullptr;
   Corner first_ = 0;
-  HugeVector<Room> rooms_;
+  KeptVector<Room> rooms_;
 };
 
 }  // namespace mwt

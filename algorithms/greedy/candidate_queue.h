@@ -77,9 +77,9 @@ class EdgeSorter {
 
   const PlanarMesh& mesh_;
   const EdgeOrder& order_;
-  HugeVector<std::uint64_t> keys_;  // high bits: truncated squared length; low bits: edge
-  HugeVector<std::uint64_t> buffer_;
-  HugeVector<EdgeKey> run_;
+  KeptVector<std::uint64_t> keys_;  // high bits: truncated squared length; low bits: edge
+  KeptVector<std::uint64_t> buffer_;
+  KeptVector<EdgeKey> run_;
   std::uint64_t smallest_bits_ = 0;
   int dropped_bits_ = 0;
   std::size_t decided_ = 0;
@@ -121,11 +121,11 @@ class CandidateHeap {
   void open_due_buckets();
 
   Later later_;
-  HugeVector<Candidate> heap_;
-  HugeVector<Candidate> sorted_;  // an opened bucket; those from next_ on are still in the queue
+  KeptVector<Candidate> heap_;
+  KeptVector<Candidate> sorted_;  // an opened bucket; those from next_ on are still in the queue
   std::size_t next_ = 0;
   std::uint64_t open_bucket_ = kLastBucket;  // candidates of this bucket and of those before it go to the heap
-  std::map<std::uint64_t, HugeVector<Candidate>> waiting_;
+  std::map<std::uint64_t, KeptVector<Candidate>> waiting_;
 };
 
 }  // namespace mwt

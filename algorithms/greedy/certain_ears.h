@@ -53,8 +53,8 @@ class CertainEars {
   FixedStars& stars_;
   EarInsertion& insertion_;
   const Context& context_;
-  HugeVector<Corner> waiting_;  // to be looked at
-  HugeVector<Corner> put_off_;  // to be looked at with more patience, once nothing else waits
+  KeptVector<Corner> waiting_;  // to be looked at
+  KeptVector<Corner> put_off_;  // to be looked at with more patience, once nothing else waits
   std::size_t inserted_ = 0;
   std::size_t looks_ = 0;
   bool stopped_ = false;

@@ -79,7 +79,7 @@ class CrossingBounds {
   std::vector<bool> is_judged_;      // by vertex, for those of the face; no longer once given up
   std::vector<Spoke> spokes_;
   std::vector<std::size_t> by_length_;  // of spokes_, without the first and the last, from long to short
-  HugeVector<MeshEdge> lowered_;        // those with kLoweredMark are waiting to be looked through again
+  KeptVector<MeshEdge> lowered_;        // those with kLoweredMark are waiting to be looked through again
   std::size_t steps_ = 0;
 };
 

@@ -69,7 +69,7 @@ class DistantEars {
   const PlanarMesh& mesh_;
   const EdgeOrder& order_;
   BoundaryStretch& stretch_;
-  HugeVector<RunCorner> run_;  // the corners of the ear, hidden ones included, and of the pockets beside it, by points
+  KeptVector<RunCorner> run_;  // the corners of the ear, hidden ones included, and of the pockets beside it, by points
   std::size_t steps_ = 0;
   std::size_t last_step_ = 0;
   std::size_t runs_ = 0;

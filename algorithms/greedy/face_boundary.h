@@ -71,7 +71,7 @@ class FaceBoundary {
   [[nodiscard]] bool is_fixed(Halfedge h) const;
 
   PlanarMesh& mesh_;
-  HugeVector<Link> corners_;
+  KeptVector<Link> corners_;
 };
 
 }  // namespace mwt

@@ -36,7 +36,7 @@ class FaceCuts {
 
   const PlanarMesh& mesh_;
   WindowSearch search_;
-  HugeVector<MeshEdge> cuts_;
+  KeptVector<MeshEdge> cuts_;
 };
 
 }  // namespace mwt

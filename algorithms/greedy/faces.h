@@ -70,7 +70,7 @@ class Faces {
   CertainEars certain_ears_;
   CrossingBounds crossing_bounds_;
   FaceCuts cuts_;
-  HugeVector<MeshEdge> edges_;
+  KeptVector<MeshEdge> edges_;
   bool stopped_ = false;
 };
 

@@ -60,7 +60,7 @@ class FixedStars {
 
   PlanarMesh& mesh_;
   std::vector<bool> is_linked_;   // by vertex; empty until the first one is
-  HugeVector<Neighbours> links_;  // set for all fixed halfedges at linked vertices, without a value for others
+  KeptVector<Neighbours> links_;  // set for all fixed halfedges at linked vertices, without a value for others
 };
 
 }  // namespace mwt

@@ -34,8 +34,8 @@ class PocketInsertion {
   FixedStars& stars_;
   EarInsertion& insertion_;
   BoundaryStretch& stretch_;
-  HugeVector<Corner> open_;   // apexes of ears that are to come into the mesh, after those that they hide
-  HugeVector<MeshEdge> fan_;  // its edges give way to ears
+  KeptVector<Corner> open_;   // apexes of ears that are to come into the mesh, after those that they hide
+  KeptVector<MeshEdge> fan_;  // its edges give way to ears
 };
 
 }  // namespace mwt

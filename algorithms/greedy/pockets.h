@@ -42,7 +42,7 @@ class Pockets {
   BoundaryStretch stretch_;
   DistantEars ears_;
   PocketInsertion insertion_;
-  HugeVector<Corner> waiting_;  // corners to be looked at
+  KeptVector<Corner> waiting_;  // corners to be looked at
   std::size_t inserted_ = 0;
 };
 

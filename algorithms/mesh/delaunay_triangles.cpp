@@ -28,12 +28,12 @@ int round_of(Index point) {
 }
 
 // All points, round by round, in their order within each round.
-HugeVector<Index> insertion_order(Index point_count) {
+KeptVector<Index> insertion_order(Index point_count) {
   constexpr std::size_t kRounds = 21;
   std::array<std::size_t, kRounds + 1> place{};
   for (Index i = 0; i < point_count; ++i) ++place[kRounds - static_cast<std::size_t>(round_of(i))];
   for (std::size_t round = 1; round <= kRounds; ++round) place[round] += place[round - 1];
-  HugeVector<Index> order(point_count);
+  KeptVector<Index> order(point_count);
   for (Index i = 0; i < point_count; ++i) order[place[kRounds - 1 - static_cast<std::size_t>(round_of(i))]++] = i;
   return order;
 }
@@ -45,8 +45,8 @@ class DelaunayBuilder {
     triangles_.reserve(2 * points.size());
   }
 
-  HugeVector<LinkedTriangle> build() {
-    HugeVector<Index> order = insertion_order(ghost_);
+  KeptVector<LinkedTriangle> build() {
+    KeptVector<Index> order = insertion_order(ghost_);
     start_with_a_triangle(order);
     for (std::size_t i = 3; i < order.size(); ++i) insert(order[i]);
     return std::move(triangles_);
@@ -64,7 +64,7 @@ class DelaunayBuilder {
   [[nodiscard]] Side twin(Side side) const { return triangles_[triangle_of(side)].twins[corner_of(side)]; }
 
   // Brings three points that span a triangle to the front of `order` and triangulates them.
-  void start_with_a_triangle(HugeVector<Index>& order) {
+  void start_with_a_triangle(KeptVector<Index>& order) {
     std::size_t third = 2;
     const Point& a = points_[order[0]];
     const Point& b = points_[order[1]];
@@ -173,7 +173,7 @@ class DelaunayBuilder {
 
   Points points_;
   Index ghost_;
-  HugeVector<LinkedTriangle> triangles_;
+  KeptVector<LinkedTriangle> triangles_;
   std::uint32_t last_ = 0;  // where the next walk starts
   std::vector<std::uint32_t> hit_;
   std::vector<Boundary> boundary_;
@@ -182,12 +182,12 @@ class DelaunayBuilder {
 
 }  // namespace
 
-HugeVector<LinkedTriangle> delaunay_triangles(HugeVector<Point>& points) {
+KeptVector<LinkedTriangle> delaunay_triangles(KeptVector<Point>& points) {
   // No filter is ever satisfied by a NaN, so that fast paths need not ask for ghosts.
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   points.push_back({kNan, kNan});
   struct Restored {
-    HugeVector<Point>& points;
+    KeptVector<Point>& points;
     ~Restored() { points.pop_back(); }
   } const restored{points};
   return DelaunayBuilder(points).build();

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "algorithms/mesh/huge_pages.h"
+#include "algorithms/mesh/kept_memory.h"
 #include "geometry/point.h"
 
 namespace mwt {
@@ -31,6 +31,6 @@ struct LinkedTriangle {
 /// Preconditions: distinct points, not all collinear (otherwise std::logic_error), fewer than 2^29, in spatial order
 /// for speed (any order for correctness). Expected O(n log n) time, in practice linear; 48 bytes per point.
 /// Deterministic.
-[[nodiscard]] HugeVector<LinkedTriangle> delaunay_triangles(HugeVector<Point>& points);
+[[nodiscard]] KeptVector<LinkedTriangle> delaunay_triangles(KeptVector<Point>& points);
 
 }  // namespace mwt

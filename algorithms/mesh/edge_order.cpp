@@ -81,7 +81,7 @@ void EdgeOrder::sort_by_labels(std::span<EdgeKey> edges) const {
   const auto bits_of = [](std::uint64_t value) { return static_cast<int>(std::bit_width(value)); };
   const int place_bits = bits_of(edges.size());
   const std::uint64_t place_mask = (std::uint64_t{1} << place_bits) - 1;
-  HugeVector<std::uint64_t> order, buffer;
+  KeptVector<std::uint64_t> order, buffer;
   order.reserve(edges.size());
   Index largest = 0;
   for (std::uint64_t i = 0; i < edges.size(); ++i) {

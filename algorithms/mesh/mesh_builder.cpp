@@ -31,12 +31,12 @@ PlanarMesh MeshBuilder::delaunay() { return build(delaunay_triangles(mesh_.point
 PlanarMesh MeshBuilder::given(const Triangulation& triangulation) { return build(linked(triangulation)); }
 
 // The triangles in the mesh's numbering with their twins, and a ghost beyond every hull edge.
-HugeVector<LinkedTriangle> MeshBuilder::linked(const Triangulation& triangulation) const {
+KeptVector<LinkedTriangle> MeshBuilder::linked(const Triangulation& triangulation) const {
   const auto ghost = static_cast<Index>(mesh_.points_.size());
   std::vector<Index> renumbered(ghost);
   for (Index v = 0; v < ghost; ++v) renumbered[mesh_.labels_[v]] = v;
   const std::vector<std::array<Index, 3>> adjacent = adjacency_of(triangulation);
-  HugeVector<LinkedTriangle> result;
+  KeptVector<LinkedTriangle> result;
   result.reserve(2 * mesh_.points_.size());
   for (const auto& [a, b, c] : triangulation.triangles) {
     result.push_back({{renumbered[a], renumbered[b], renumbered[c]}, {}});
@@ -57,7 +57,7 @@ HugeVector<LinkedTriangle> MeshBuilder::linked(const Triangulation& triangulatio
   return result;
 }
 
-PlanarMesh MeshBuilder::build(HugeVector<LinkedTriangle> triangles) {
+PlanarMesh MeshBuilder::build(KeptVector<LinkedTriangle> triangles) {
   if (mesh_.points_.size() >= std::size_t{1} << 28) throw std::length_error("PlanarMesh: at most 2^28 points");
   triangles_ = std::move(triangles);
   order_triangles();
@@ -68,7 +68,7 @@ PlanarMesh MeshBuilder::build(HugeVector<LinkedTriangle> triangles) {
 
 void MeshBuilder::order_triangles() {
   const std::size_t point_count = mesh_.points_.size();
-  HugeVector<std::uint32_t> place(point_count + 1, 0);
+  KeptVector<std::uint32_t> place(point_count + 1, 0);
   const auto first_point = [](const LinkedTriangle& t) {
     return std::min(t.corners[0], std::min(t.corners[1], t.corners[2]));
   };

@@ -18,15 +18,15 @@ class MeshBuilder {
   [[nodiscard]] PlanarMesh given(const Triangulation& triangulation);
 
  private:
-  [[nodiscard]] HugeVector<LinkedTriangle> linked(const Triangulation& triangulation) const;
+  [[nodiscard]] KeptVector<LinkedTriangle> linked(const Triangulation& triangulation) const;
   void order_triangles();
   void add_edges();
   void link_outer_face();
-  PlanarMesh build(HugeVector<LinkedTriangle> triangles);
+  PlanarMesh build(KeptVector<LinkedTriangle> triangles);
 
   PlanarMesh mesh_;
-  HugeVector<LinkedTriangle> triangles_;
-  HugeVector<std::uint32_t> order_;  // the real triangles by their first point
+  KeptVector<LinkedTriangle> triangles_;
+  KeptVector<std::uint32_t> order_;  // the real triangles by their first point
   std::vector<Halfedge> outer_;      // halfedges of the outer face
 };
 

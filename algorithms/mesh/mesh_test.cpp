@@ -45,9 +45,9 @@ TEST(SpatialOrder, FollowsTheHilbertCurve) {
 
 TEST(RadixSort, SortsByTheGivenBitsAndIsStable) {
   std::mt19937_64 random(1);
-  HugeVector<std::uint64_t> keys, buffer;
+  KeptVector<std::uint64_t> keys, buffer;
   for (int i = 0; i < 5000; ++i) keys.push_back(random() & 0xffffffffffffULL);
-  HugeVector<std::uint64_t> expected = keys;
+  KeptVector<std::uint64_t> expected = keys;
   std::stable_sort(expected.begin(), expected.end(),
                    [](std::uint64_t a, std::uint64_t b) { return (a >> 20 & 0xffff) < (b >> 20 & 0xffff); });
   radix_sort(keys, 20, 36, buffer);
@@ -73,7 +73,7 @@ TEST(DelaunayTriangles, HaveEmptyCirclesAndConsistentTwinsOnAllShapes) {
   for (const Shape& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 2000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
-      HugeVector<Point> with_room(points.begin(), points.end());
+      KeptVector<Point> with_room(points.begin(), points.end());
       const auto triangles = delaunay_triangles(with_room);
       ASSERT_TRUE(std::ranges::equal(with_room, points)) << shape.name;
       for (std::uint32_t t = 0; t < triangles.size(); ++t) {

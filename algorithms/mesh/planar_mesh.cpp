@@ -59,7 +59,7 @@ void PlanarMesh::clear_marks(std::uint32_t marks) {
 Triangulation PlanarMesh::triangulation() const {
   Triangulation result;
   result.point_count = static_cast<Index>(points_.size());
-  vacate_kept_huge_pages(2 * points_.size() * sizeof(Triangle));  // for this list
+  vacate_kept_blocks(2 * points_.size() * sizeof(Triangle));  // for this list
   result.triangles.reserve(2 * points_.size());
   for (Halfedge h = 0; h < 2 * edges_.size(); ++h) {
     const Halfedge second = next(h), third = previous(h);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/mesh/huge_pages.h"
+#include "algorithms/mesh/kept_memory.h"
 #include "geometry/point.h"
 #include "geometry/triangulation.h"
 
@@ -105,9 +105,9 @@ class PlanarMesh {
   friend class MeshBuilder;
   PlanarMesh() = default;
 
-  HugeVector<Point> points_;
+  KeptVector<Point> points_;
   std::vector<Index> labels_;
-  HugeVector<EdgeRecord> edges_;
+  KeptVector<EdgeRecord> edges_;
   double unit_ = 1;
 };
 

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "algorithms/mesh/huge_pages.h"
+#include "algorithms/mesh/kept_memory.h"
 
 namespace mwt {
 
 /// Sorts `keys` by the bits [low_bit, high_bit) of each; stable. O(n (high_bit - low_bit)) time, n more words of space,
 /// kept in `buffer` for reuse. Precondition: low_bit <= high_bit <= 64.
-inline void radix_sort(HugeVector<std::uint64_t>& keys, int low_bit, int high_bit, HugeVector<std::uint64_t>& buffer) {
+inline void radix_sort(KeptVector<std::uint64_t>& keys, int low_bit, int high_bit, KeptVector<std::uint64_t>& buffer) {
   constexpr int kDigitBits = 11;
   constexpr std::uint64_t kDigitMask = (std::uint64_t{1} << kDigitBits) - 1;
   buffer.resize(keys.size());

@@ -141,8 +141,8 @@ class SpatialOrder {
 
   Points points_;
   std::vector<std::span<Index>> pending_;
-  HugeVector<std::uint64_t> keys_;
-  HugeVector<std::uint64_t> buffer_;
+  KeptVector<std::uint64_t> keys_;
+  KeptVector<std::uint64_t> buffer_;
 };
 
 }  // namespace

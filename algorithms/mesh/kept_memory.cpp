@@ -1,9 +1,8 @@
-#include "algorithms/mesh/huge_pages.h"
+#include "algorithms/mesh/kept_memory.h"
 
 #include <sys/mman.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -19,23 +18,13 @@ namespace mwt {
 
 namespace {
 
-std::size_t whole_pages(std::size_t bytes) { return (bytes + kHugePage - 1) / kHugePage * kHugePage; }
+std::size_t rounded_up(std::size_t bytes) { return (bytes + kBlock - 1) / kBlock * kBlock; }
 
-// A block that is new to the process; nothing if the system refuses.
+// Memory that is new to the process; nothing if the system refuses. In pages of the size that the system prefers:
+// asking for huge ones made no run faster that was measured, and new ones much more expensive on virtual machines.
 char* map_new_block(std::size_t size) {
-  const std::size_t with_slack = size + kHugePage;  // mappings start at any ordinary page
-  void* mapped = mmap(nullptr, with_slack, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (mapped == MAP_FAILED) return nullptr;
-  // Systems fill the address space from above: as high as possible, the block adjoins the one before, for them to join.
-  char* const end = static_cast<char*>(mapped) + with_slack;
-  const std::size_t behind = reinterpret_cast<std::uintptr_t>(end) % kHugePage;
-  char* const block = end - behind - size;
-  if (behind > 0) munmap(end - behind, behind);
-  if (behind < kHugePage) munmap(mapped, kHugePage - behind);
-#ifdef MADV_HUGEPAGE
-  madvise(block, size, MADV_HUGEPAGE);  // advice only: a refusal costs speed, nothing else
-#endif
-  return block;
+  void* block = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  return block == MAP_FAILED ? nullptr : static_cast<char*>(block);
 }
 
 // The blocks that were given back. Few at any time: only arrays of megabytes come here.
@@ -81,7 +70,7 @@ class KeptBlocks {
 
   void vacate(std::size_t bytes) {
     for (const auto& [start, size] : size_at_) {
-      const std::size_t part = bytes < size ? whole_pages(bytes) : size;
+      const std::size_t part = bytes < size ? rounded_up(bytes) : size;
       madvise(start, part, MADV_DONTNEED);
       bytes -= std::min(bytes, part);
     }
@@ -110,39 +99,39 @@ SharedBlocks& kept() {
 
 }  // namespace
 
-void* take_huge_pages(std::size_t bytes) {
+void* take_block(std::size_t bytes) {
   if (bytes > std::numeric_limits<std::size_t>::max() / 2) throw std::bad_alloc();
-  const std::size_t size = whole_pages(bytes);
+  const std::size_t size = rounded_up(bytes);
   {
     const std::scoped_lock lock(kept().mutex);
     if (char* const block = kept().blocks.take(size)) return block;
   }
   if (char* const block = map_new_block(size)) return block;
-  release_kept_huge_pages();  // scattered blocks may be what the system lacks
+  release_kept_blocks();  // scattered blocks may be what the system lacks
   if (char* const block = map_new_block(size)) return block;
   throw std::bad_alloc();
 }
 
-void give_back_huge_pages(void* block, std::size_t bytes) noexcept {
+void give_back_block(void* block, std::size_t bytes) noexcept {
   const std::scoped_lock lock(kept().mutex);
   try {
-    kept().blocks.put(static_cast<char*>(block), whole_pages(bytes));
+    kept().blocks.put(static_cast<char*>(block), rounded_up(bytes));
   } catch (const std::bad_alloc&) {  // no memory to remember it by
-    munmap(block, whole_pages(bytes));
+    munmap(block, rounded_up(bytes));
   }
 }
 
-void release_kept_huge_pages() {
+void release_kept_blocks() {
   const std::scoped_lock lock(kept().mutex);
   kept().blocks.unmap();
 }
 
-void vacate_kept_huge_pages(std::size_t bytes) {
+void vacate_kept_blocks(std::size_t bytes) {
   const std::scoped_lock lock(kept().mutex);
   kept().blocks.vacate(bytes);
 }
 
-std::size_t kept_huge_page_bytes() {
+std::size_t kept_bytes() {
   const std::scoped_lock lock(kept().mutex);
   return kept().blocks.bytes();
 }
