@@ -46,14 +46,14 @@ void Faces::collect_all() {
   }
 }
 
-// Leaves less of a large face to be done in the order of length, by the next means that was not tried yet. False if
-// nothing is left to try; otherwise its faces are to be collected again.
+// Leaves less of large faces to be done in the order of length, by the next promising means that was not tried yet.
+// False if there is none; otherwise the faces are to be collected again.
 bool Faces::reduce(std::uint32_t tried) {
   if ((tried & (kDividedMark | kEarsTakenMark)) == 0 && crossing_bounds_.is_promising(edges_)) {
     divide();
   } else if ((tried & kEarsTakenMark) == 0) {
     take_certain_ears();
-  } else if ((tried & kCutMark) == 0) {
+  } else if ((tried & kCutMark) == 0 && cuts_.is_promising(edges_)) {
     cut();
   } else {
     return false;
@@ -61,7 +61,7 @@ bool Faces::reduce(std::uint32_t tried) {
   return true;
 }
 
-// Fixes those edges of a face that nothing can cross, if they are likely to be many.
+// Fixes those edges that nothing can cross.
 void Faces::divide() {
   sort();
   const bool found = crossing_bounds_.find(edges_);
@@ -78,11 +78,9 @@ void Faces::take_certain_ears() {
   leave(kEarsTakenMark);
 }
 
-// Fixes the shortest ways between boundaries, if they are likely to be many.
+// Fixes the shortest ways between boundaries.
 void Faces::cut() {
-  if (cuts_.is_promising(edges_)) {
-    for (const MeshEdge e : cuts_.find(edges_)) stars_.fix(e);
-  }
+  for (const MeshEdge e : cuts_.find(edges_)) stars_.fix(e);
   leave(kCutMark);
 }
 

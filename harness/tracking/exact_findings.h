@@ -21,9 +21,8 @@ struct ExactFinding {
 ///   proved and no new one does is a regression.
 /// - Failures: a larger share of failed runs is a regression, a smaller one an improvement.
 /// - Memory: a regression if every new run has a larger peak than every run of the base by more than `threshold` and
-///   by more than four mebibytes (whether the system has huge pages to give, of two each, and which pages of its
-///   libraries are resident, is its own affair); an improvement
-///   likewise.
+///   by more than four mebibytes (whether the system gives huge pages, of two each, and which pages of its libraries
+///   are resident, is its own affair); an improvement likewise.
 ///
 /// Precondition: both sides have runs, on the same instance.
 [[nodiscard]] std::vector<ExactFinding> exact_findings(const TrackedCell& cell,
