@@ -1,37 +1,65 @@
 #include "algorithms/greedy/face_boundary.h"
 
+#include <limits>
+#include <utility>
+
 #include "algorithms/greedy/greedy_marks.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
 
-FaceBoundary::FaceBoundary(PlanarMesh& mesh, std::span<const MeshEdge> face) : mesh_(mesh) {
-  corners_.reserve(face.size() + 3);  // as many as a polygon has with so many diagonals; more edges lie around holes
-  for (const MeshEdge e : face) {
-    for (const Halfedge h : {2 * e, 2 * e + 1}) {
-      walk_from(mesh_.rotate_right(h));
-      if (is_fixed(mesh_.next(h))) walk_from(mesh_.previous(h));  // a wedge that is a triangle of the mesh
-    }
+FaceBoundary::FaceBoundary(const PlanarMesh& mesh, std::span<const MeshEdge> face) : mesh_(mesh) {
+  const Cycles cycles = cycles_of(face);
+  corners_.reserve(cycles.sides.size());
+  for (const Halfedge side : cycles.sides) {
+    const auto corner = static_cast<Corner>(corners_.size());
+    corners_.push_back({mesh_.origin(side), side, corner - 1, corner + 1});
+  }
+  Corner first = 0;
+  for (const Corner end : cycles.ends) {
+    corners_[end - 1].next = first;
+    corners_[first].previous = end - 1;
+    first = end;
   }
 }
 
 bool FaceBoundary::is_fixed(Halfedge h) const { return (mesh_.marks(edge_of(h)) & kFixedMark) != 0; }
 
-// Adds the cycle through this halfedge, which has the face on its left, unless it is known or not of the boundary.
-void FaceBoundary::walk_from(Halfedge first) {
-  const auto is_new = [this](Halfedge h) { return (mesh_.marks(edge_of(h)) & kCornerMarks[h & 1]) == 0; };
-  if (!is_fixed(first) || !is_new(first)) return;
-  const auto start = static_cast<Corner>(corners_.size());
-  Halfedge h = first;
-  do {
-    mesh_.marks(edge_of(h)) |= kCornerMarks[h & 1];
-    const auto corner = static_cast<Corner>(corners_.size());
-    corners_.push_back({mesh_.origin(h), h, corner - 1, corner + 1});
-    h = mesh_.next(h);
-    while (!is_fixed(h)) h = mesh_.rotate_right(h);
-  } while (h != first);
-  corners_.back().next = start;
-  corners_[start].previous = static_cast<Corner>(corners_.size()) - 1;
+// Every fixed halfedge with the face on its left, once or twice.
+template <typename Visit>
+void FaceBoundary::for_each_side(std::span<const MeshEdge> face, Visit visit) const {
+  for (const MeshEdge e : face) {
+    for (const Halfedge h : {2 * e, 2 * e + 1}) {
+      if (const Halfedge right = mesh_.rotate_right(h); is_fixed(right)) visit(right);
+      const bool is_wedge_of_triangle = is_fixed(mesh_.next(h)) && is_fixed(mesh_.previous(h));
+      if (is_wedge_of_triangle) visit(mesh_.previous(h));
+    }
+  }
+}
+
+Halfedge FaceBoundary::side_after(Halfedge side) const {
+  Halfedge h = mesh_.next(side);
+  while (!is_fixed(h)) h = mesh_.rotate_right(h);
+  return h;
+}
+
+// First the side after each, in the order of memory, so that no step waits for the one before; then cycle by cycle.
+FaceBoundary::Cycles FaceBoundary::cycles_of(std::span<const MeshEdge> face) const {
+  constexpr Halfedge kKnown = std::numeric_limits<Halfedge>::max();
+  Cycles cycles;
+  // As many as a polygon has with so many diagonals; more edges lie around holes. Allocated first: `following` leaves
+  // its memory to the corners.
+  cycles.sides.reserve(face.size() + 3);
+  KeptVector<Halfedge> following(2 * mesh_.edge_count());
+  for_each_side(face, [&](Halfedge side) { following[side] = side_after(side); });
+  for_each_side(face, [&](Halfedge first) {
+    if (following[first] == kKnown) return;
+    for (Halfedge side = first; following[side] != kKnown; side = std::exchange(following[side], kKnown)) {
+      cycles.sides.push_back(side);
+    }
+    cycles.ends.push_back(static_cast<Corner>(cycles.sides.size()));
+  });
+  return cycles;
 }
 
 bool FaceBoundary::is_possible_ear(Corner c) const {

@@ -14,15 +14,14 @@ inline constexpr std::array<std::uint32_t, 2> kWatchedMarks = {8, 16};  // the h
 inline constexpr std::uint32_t kInnerMark = 32;                         // lies inside the region being restored
 inline constexpr std::uint32_t kFaceMark = 64;                          // its face is being or has been solved
 inline constexpr std::uint32_t kCandidateMark = 128;                    // waits in the queue
-inline constexpr std::array<std::uint32_t, 2> kCornerMarks = {256, 512};  // the halfedge begins at a corner of its face
-inline constexpr std::uint32_t kEarsTakenMark = 1024;                     // certain ears of its face have been taken
-inline constexpr std::uint32_t kDividedMark = 2048;                       // certain edges of its face have been fixed
-inline constexpr std::uint32_t kLoweredMark = 4096;                       // has a new CrossingBounds
-inline constexpr std::uint32_t kCutMark = 8192;                           // its face has been cut by CrossingSearch
+inline constexpr std::uint32_t kEarsTakenMark = 1024;                   // certain ears of its face have been taken
+inline constexpr std::uint32_t kDividedMark = 2048;                     // certain edges of its face have been fixed
+inline constexpr std::uint32_t kLoweredMark = 4096;                     // has a new CrossingBounds
+inline constexpr std::uint32_t kCutMark = 8192;                         // its face has been cut by FaceCuts
 
 inline constexpr std::uint32_t kGreedyMarks = kFixedMark | kFlippedMark | kWatchedMarks[0] | kWatchedMarks[1] |
-                                              kInnerMark | kFaceMark | kCandidateMark | kCornerMarks[0] |
-                                              kCornerMarks[1] | kEarsTakenMark | kDividedMark | kLoweredMark | kCutMark;
+                                              kInnerMark | kFaceMark | kCandidateMark | kEarsTakenMark | kDividedMark |
+                                              kLoweredMark | kCutMark;
 static_assert((kGreedyMarks & (kHullMark | kLastingMarks)) == 0);
 
 }  // namespace mwt
