@@ -48,7 +48,7 @@ AlgorithmInfo greedy_entry() {
       "Theta(sqrt n) in the worst case: C. Levcopoulos, An Omega(sqrt n) lower bound for the nonoptimality of the "
       "greedy triangulation, IPL 25 (1987); C. Levcopoulos, D. Krznaric, Quasi-greedy triangulations approximating "
       "the minimum weight triangulation, J. Algorithms 27 (1998)";
-  info.time = "O(n log n) in practice; about two Delaunay triangulations on uniform points";
+  info.time = "O(n log n) in practice; about one and a half of CGAL's Delaunay triangulations on uniform points";
   info.space = "O(n), less than 200 bytes per point";
   info.largest_n = 10'000'000;
   info.function = run_greedy;

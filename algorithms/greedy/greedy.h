@@ -1,4 +1,4 @@
-// The greedy triangulation at the cost of two Delaunay triangulations.
+// The greedy triangulation at the cost of one to three Delaunay triangulations.
 #pragma once
 
 #include "algorithms/algorithm.h"
@@ -20,10 +20,9 @@ struct GreedyCounters {
 /// From the Delaunay triangulation by keeping a constrained Delaunay triangulation of the edges taken so far; the lemma
 /// that makes this right, and its proof, are in README.md.
 /// Preconditions: distinct points, not all collinear, fewer than 2^28.
-/// Time O(n log n) in practice: about two of CGAL's Delaunay triangulations or less on uniform, clustered, lattice and
-/// log-radial points; for a million points two to three and a half on a circle, on roads and on wheels side by side,
-/// and three and a half to four and a half along a spiral. An adversary can make edge insertions cost more. Less than
-/// 200 bytes per point. Deterministic.
+/// Time O(n log n) in practice: about one and a half of CGAL's Delaunay triangulations on uniform, clustered, lattice
+/// and log-radial points; for a million points about two and a half on a circle and on roads, and up to three along a
+/// spiral. An adversary can make edge insertions cost more. Less than 200 bytes per point. Deterministic.
 [[nodiscard]] Triangulation greedy_triangulation(Points points);
 
 /// Turns a mesh that is the Delaunay triangulation of its points into their greedy triangulation. At the deadline of
