@@ -19,8 +19,8 @@ using Corner = std::uint32_t;
 /// too.
 class FaceBoundary {
  public:
-  /// `face`: all edges inside the face, none of them fixed. O(length of `face`) time, 16 bytes per
-  /// corner, and on the way at most 4 per halfedge of the mesh.
+  /// `face`: all edges inside the face, none of them fixed. O(length of `face`) time, 16 bytes per corner, and on the
+  /// way at most 4 per halfedge of the mesh.
   FaceBoundary(const PlanarMesh& mesh, std::span<const MeshEdge> face);
 
   [[nodiscard]] std::size_t size() const { return corners_.size(); }

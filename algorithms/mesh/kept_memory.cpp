@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <mutex>
 
@@ -20,8 +21,9 @@ namespace {
 
 std::size_t rounded_up(std::size_t bytes) { return (bytes + kBlock - 1) / kBlock * kBlock; }
 
-// Memory that is new to the process; nothing if the system refuses. In pages of the size that the system prefers:
-// asking for huge ones made no run faster that was measured, and new ones much more expensive on virtual machines.
+// Memory that is new to the process; nothing if the system refuses. In pages of the size that the system prefers: on a
+// virtual machine, huge ones made greedy on a million points 3% faster where memory was used again and 40% slower where
+// it was new.
 char* map_new_block(std::size_t size) {
   void* block = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   return block == MAP_FAILED ? nullptr : static_cast<char*>(block);
@@ -38,8 +40,8 @@ class KeptBlocks {
     }
     if (best == size_at_.end()) return nullptr;
     const auto [start, whole] = *best;
-    size_at_.erase(best);
     if (whole > size) size_at_.emplace(start + size, whole - size);
+    size_at_.erase(best);
     ASAN_UNPOISON_MEMORY_REGION(start, size);
     return start;
   }
