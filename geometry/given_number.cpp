@@ -51,15 +51,25 @@ std::string mistake_in(std::string_view text, NumberRange<Number> range) {
   return is_below ? "is below " + text_of(range.least) : "is above " + text_of(range.most);
 }
 
+// "; give a whole number from 1 to 8". All numbers of a type need no ends, and "is not a number" says it already.
+template <class Number>
+std::string remedy_for(const std::string& mistake, NumberRange<Number> range) {
+  using Limits = std::numeric_limits<Number>;
+  const std::string kind = std::floating_point<Number> ? "a number" : "a whole number";
+  const bool is_limited =
+      std::unsigned_integral<Number> || range.least != Limits::lowest() || range.most != Limits::max();
+  if (!is_limited) return mistake.ends_with(kind) ? "" : "; give " + kind;
+  return "; give " + kind + " from " + text_of(range.least) + " to " + text_of(range.most);
+}
+
 }  // namespace
 
 template <class Number>
 Number given_number(const std::string& place, std::string_view text, NumberRange<Number> range) {
   const std::optional<Number> number = parse<Number>(text);
   if (number && *number >= range.least && *number <= range.most) return *number;
-  const std::string kind = std::floating_point<Number> ? "a number" : "a whole number";
-  throw InputError(place + ' ' + mistake_in(text, range) + "; give " + kind + " from " + text_of(range.least) + " to " +
-                   text_of(range.most));
+  const std::string mistake = mistake_in(text, range);
+  throw InputError(place + ' ' + mistake + remedy_for(mistake, range));
 }
 
 template double given_number(const std::string&, std::string_view, NumberRange<double>);

@@ -67,5 +67,12 @@ TEST(GivenNumber, NanAndInfinityAreInNoRange) {
   EXPECT_EQ(mistake("1.5s", seconds), "--k '1.5s' is not a number" + range);
 }
 
+TEST(GivenNumber, AllNumbersOfATypeNeedNoEndsInTheMessage) {
+  constexpr NumberRange<double> kReals{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+  EXPECT_EQ(mistake("x", kReals), "--k 'x' is not a number");
+  EXPECT_EQ(mistake("", kReals), "--k '' is empty; give a number");
+  EXPECT_EQ(mistake("inf", kReals), "--k 'inf' is above 1.7976931348623157e+308; give a number");
+}
+
 }  // namespace
 }  // namespace mwt

@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
@@ -13,12 +15,18 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/text_lines.h"
 
 namespace mwt {
 
 namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+
+// Endings that promise a certain format.
+constexpr std::array<std::string_view, 16> kKnownEndings = {".csv", ".tsv",  ".json", ".tsp",  ".svg", ".png",
+                                                            ".jpg", ".jpeg", ".gif",  ".webp", ".pdf", ".eps",
+                                                            ".gz",  ".zip",  ".xlsx", ".html"};
 
 // The file to be replaced: links followed, so that the link itself survives.
 std::string resolved(const std::string& path) {
@@ -47,7 +55,7 @@ void sync_folder_of(const std::string& file) {
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (path_.empty()) throw InputError("the output file has an empty name; give it one, or - for standard output");
-  if (path_ == "-" || path_ == "/dev/stdout") {
+  if (is_standard_output(path_)) {
     std::cout.flush();
     std::fflush(stdout);
     descriptor_ = STDOUT_FILENO;
@@ -131,6 +139,32 @@ void OutputFile::fail(int error) const {
     case EDQUOT: throw InputError(place + ": cannot be written: the disk is full; free some space and run again");
     default: throw InputError(place + ": cannot be written: " + std::generic_category().message(error));
   }
+}
+
+bool is_standard_output(const std::string& path) { return path == "-" || path == "/dev/stdout"; }
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(a, error);
+  if (fs::exists(status)) return fs::is_regular_file(status) && fs::equivalent(a, b, error);
+  return fs::weakly_canonical(fs::absolute(a, error), error) == fs::weakly_canonical(fs::absolute(b, error), error);
+}
+
+void require_fitting_ending(const std::string& path, std::initializer_list<std::string_view> endings,
+                            const std::string& content) {
+  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
+  const bool is_known = std::find(kKnownEndings.begin(), kKnownEndings.end(), ending) != kKnownEndings.end();
+  if (!is_known || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
+  throw InputError(path + ": " + content + "; give it a name that ends in " + std::string(*endings.begin()));
+}
+
+void require_writable(const std::string& path) {
+  struct stat status {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  // To open and close a pipe would look like the end of its data.
+  if (is_standard_output(path) || (exists && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))) return;
+  const OutputFile probe(path);
 }
 
 void write_file_atomically(const std::string& path, std::string_view content) {

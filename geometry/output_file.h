@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -40,6 +41,20 @@ class OutputFile {
   std::string buffer_;
   int descriptor_ = -1;
 };
+
+/// Whether an output of that name goes to standard output.
+[[nodiscard]] bool is_standard_output(const std::string& path);
+
+/// Whether two names are of the same regular file, that need not exist yet: links followed, "./a" is "a".
+[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
+
+/// Throws InputError if the name promises a format that is written otherwise: an ending (in either case) that is well
+/// known and not among `endings`. `content` says what is written, as in "a picture is written as SVG".
+void require_fitting_ending(const std::string& path, std::initializer_list<std::string_view> endings,
+                            const std::string& content);
+
+/// Throws InputError as OutputFile would, before any work is done for a file that cannot be written. Changes nothing.
+void require_writable(const std::string& path);
 
 /// The simple case: all at once.
 void write_file_atomically(const std::string& path, std::string_view content);

@@ -1,26 +1,19 @@
 #include "geometry/parameters.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <limits>
 
 #include "geometry/error.h"
+#include "geometry/given_number.h"
+#include "geometry/number_text.h"
 
 namespace mwt {
 
 namespace {
 
-template <class Number>
-bool parses_as(const std::string& text, Number& value) {
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stop == end;
-}
-
-bool is_finite_real(const std::string& text) {
-  double value = 0;
-  return parses_as(text, value) && std::isfinite(value);
-}
+constexpr NumberRange<std::int64_t> kIntegers{std::numeric_limits<std::int64_t>::min(),
+                                              std::numeric_limits<std::int64_t>::max()};
+constexpr NumberRange<double> kReals{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -28,17 +21,26 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-void require_valid(const std::string& owner, const ParameterInfo& info, const std::string& value) {
-  const std::string place = owner + ": parameter " + info.name + "=" + value;
-  std::int64_t integer = 0;
-  if (info.type == ParameterType::integer && !parses_as(value, integer)) {
-    throw InputError(place + " is not an integer");
+// Numbers that mean the same are the same text: "08" is "8".
+std::string normalised(const ParameterInfo& info, const std::string& place, const std::string& value) {
+  switch (info.type) {
+    case ParameterType::integer: return std::to_string(given_number(place, value, kIntegers));
+    case ParameterType::real: return number_text(given_number(place, value, kReals));
+    case ParameterType::text:
+    case ParameterType::choice: return value;
   }
-  if (info.type == ParameterType::real && !is_finite_real(value)) throw InputError(place + " is not a number");
+  return value;
+}
+
+std::string valid_value(const std::string& owner, const ParameterInfo& info, const std::string& value) {
+  const std::string place = owner + ": parameter " + info.name + "=" + value;
   const bool offered = std::find(info.choices.begin(), info.choices.end(), value) != info.choices.end();
   if (info.type == ParameterType::choice && !offered) {
     throw InputError(place + " is not one of " + joined(info.choices));
   }
+  const std::string text = normalised(info, place, value);
+  const bool is_default = text == normalised(info, place, info.default_value);
+  return is_default ? info.default_value : text;
 }
 
 }  // namespace
@@ -56,21 +58,16 @@ Parameters::Parameters(const std::string& owner, const std::vector<ParameterInfo
       throw InputError(owner + ": unknown parameter '" + name + "'; " +
                        (names.empty() ? "it has none" : "it has " + joined(names)));
     }
-    require_valid(owner, *info, value);
-    values_[name] = value;
+    values_[name] = valid_value(owner, *info, value);
   }
 }
 
 std::int64_t Parameters::integer(const std::string& name) const {
-  std::int64_t value = 0;
-  if (!parses_as(values_.at(name), value)) throw InputError("parameter " + name + " is not an integer");
-  return value;
+  return given_number("parameter " + name + "=" + values_.at(name), values_.at(name), kIntegers);
 }
 
 double Parameters::real(const std::string& name) const {
-  double value = 0;
-  if (!parses_as(values_.at(name), value)) throw InputError("parameter " + name + " is not a number");
-  return value;
+  return given_number("parameter " + name + "=" + values_.at(name), values_.at(name), kReals);
 }
 
 const std::string& Parameters::text(const std::string& name) const { return values_.at(name); }

@@ -24,8 +24,9 @@ class Parameters {
  public:
   Parameters() = default;
 
-  /// The declared defaults overridden by `given`. Throws InputError naming `owner` for an unknown name, a value that is
-  /// not of the declared type, or a choice that is not offered.
+  /// The declared defaults overridden by `given`; numbers in their shortest form, or as the default writes them if they
+  /// equal it, so that "08" and "8" are the same configuration. Throws InputError naming `owner` for an unknown name, a
+  /// value that is not of the declared type, or a choice that is not offered.
   Parameters(const std::string& owner, const std::vector<ParameterInfo>& declared,
              const std::map<std::string, std::string>& given);
 

@@ -47,6 +47,11 @@ TEST(Parameters, NameThemselvesCanonically) {
   EXPECT_EQ(Parameters().canonical(), "");
 }
 
+TEST(Parameters, EqualNumbersAreOneConfiguration) {
+  EXPECT_EQ(given({{"k", "08"}, {"ratio", "+.250"}}).canonical(), given({{"k", "8"}, {"ratio", "0.25"}}).canonical());
+  EXPECT_EQ(given({{"k", "006"}, {"ratio", ".5"}}).canonical(), given({}).canonical());
+}
+
 TEST(Parameters, RejectWhatIsNotDeclared) {
   EXPECT_EQ(error({{"q", "1"}}), "flip_report: unknown parameter 'q'; it has k, ratio, name, start");
   EXPECT_EQ(message_of<InputError>([] {
@@ -56,11 +61,18 @@ TEST(Parameters, RejectWhatIsNotDeclared) {
 }
 
 TEST(Parameters, RejectValuesOfTheWrongType) {
-  for (const char* value : {"", "x", "1.5", "1 ", "99999999999999999999"}) {
-    EXPECT_EQ(error({{"k", value}}), "flip_report: parameter k=" + std::string(value) + " is not an integer");
+  for (const char* value : {"x", "1.5", "1 ", "0x10"}) {
+    EXPECT_EQ(error({{"k", value}}), "flip_report: parameter k=" + std::string(value) + " is not a whole number");
   }
-  for (const char* value : {"", "x", "nan", "inf", "1e999", "1,5"}) {
+  EXPECT_EQ(error({{"k", ""}}), "flip_report: parameter k= is empty; give a whole number");
+  EXPECT_EQ(error({{"k", "99999999999999999999"}}),
+            "flip_report: parameter k=99999999999999999999 is above 9223372036854775807; give a whole number");
+  for (const char* value : {"x", "nan", "1,5"}) {
     EXPECT_EQ(error({{"ratio", value}}), "flip_report: parameter ratio=" + std::string(value) + " is not a number");
+  }
+  for (const char* value : {"inf", "1e999"}) {
+    EXPECT_EQ(error({{"ratio", value}}), "flip_report: parameter ratio=" + std::string(value) +
+                                             " is above 1.7976931348623157e+308; give a number");
   }
   EXPECT_EQ(error({{"start", "sweep"}}), "flip_report: parameter start=sweep is not one of greedy, delaunay");
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "geometry/error.h"
 #include "geometry/number_text.h"
 #include "geometry/output_file.h"
+#include "geometry/unicode.h"
 
 namespace mwt {
 
@@ -105,15 +107,24 @@ void require_drawable(const SvgPicture& picture) {
   }
 }
 
+// Fit for XML: control characters become blanks, bytes that are no UTF-8 question marks.
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      default: result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  while (!text.empty()) {
+    const std::optional<Character> character = first_character(text);
+    const std::size_t size = character ? character->size : 1;
+    switch (character ? character->code_point : U'?') {
+      case U'&': result += "&amp;"; break;
+      case U'<': result += "&lt;"; break;
+      case U'>': result += "&gt;"; break;
+      case U'?': result += '?'; break;
+      default:
+        if (character->code_point < 0x20)
+          result += ' ';
+        else
+          result += text.substr(0, size);
     }
+    text.remove_prefix(size);
   }
   return result;
 }
@@ -230,8 +241,13 @@ class SvgWriter {
 
 }  // namespace
 
+void require_picture_name(const std::string& path) {
+  require_fitting_ending(path, {".svg"}, "a picture is written as SVG");
+}
+
 void write_svg(const std::string& path, const SvgPicture& picture) {
   require_drawable(picture);
+  require_picture_name(path);
   write_file_atomically(path, [&](OutputFile& file) { SvgWriter(file, picture).write(); });
 }
 

@@ -23,13 +23,16 @@ struct SvgPicture {
   bool labels = false;                ///< the points' indices
 };
 
+/// Throws InputError if the name's ending promises another kind of file, such as .png.
+void require_picture_name(const std::string& path);
+
 /// Writes the picture. Precondition: at least one point, finite coordinates (of any magnitude), otherwise InputError.
 ///
 /// The y axis points up, x and y have the same scale. Very flat point sets get some height all the same. Lines and dots
 /// become thinner as points become denser; colours can be told apart by the colour-blind and in grey print, and follow
 /// the viewer's dark mode; no scripts, no fonts or images from elsewhere. Deterministic. Streams: O(1) memory besides
 /// the input. The file appears complete or not at all; `-` is standard output. Throws InputError if it cannot be
-/// written.
+/// written, and as require_picture_name() does.
 void write_svg(const std::string& path, const SvgPicture& picture);
 
 /// The usual picture of a triangulation: its edges, its hull, labels up to 50 points. Precondition: indices in range.

@@ -3,6 +3,7 @@
 #include <array>
 #include <numeric>
 
+#include "geometry/cell_text.h"
 #include "geometry/input_file.h"
 #include "geometry/number_text.h"
 #include "geometry/output_file.h"
@@ -16,24 +17,33 @@ namespace {
 template <std::size_t kCorners>
 using Corners = std::array<Index, kCorners>;
 
-// Where the corners stand. Precondition: the table stands at its first row.
+constexpr std::array<std::string_view, 3> kNames{"a", "b", "c"};
+
+// "a, b and c".
+template <std::size_t kCorners>
+std::string corner_names() {
+  return kCorners == 2 ? "a and b" : "a, b and c";
+}
+
+// The first columns, unless the header names the corners. Precondition: the table stands at its first row.
 template <std::size_t kCorners>
 std::array<std::size_t, kCorners> find_columns(const TextTable& table) {
-  constexpr std::array<std::string_view, 3> kNames{"a", "b", "c"};
-  std::array<std::size_t, kCorners> columns;
-  std::iota(columns.begin(), columns.end(), std::size_t{0});
   const std::size_t width = table.columns().size();
   if (width < kCorners || (width > kCorners && table.header().empty())) {
     table.fail(std::to_string(width) + " column(s) where there should be " + std::to_string(kCorners) +
                "; name further columns in a header such as a,b,c,perimeter");
   }
-  std::array<std::size_t, kCorners> named = columns;
+  std::array<std::size_t, kCorners> columns;
+  std::iota(columns.begin(), columns.end(), std::size_t{0});
+  std::size_t named = 0;
   for (std::size_t i = 0; i < kCorners; ++i) {
     const auto place = table.column_named(kNames[i]);
-    if (!place) return columns;
-    named[i] = *place;
+    if (place) columns[i] = *place;
+    if (place) ++named;
   }
-  return named;
+  const bool begins_with_labels = !table.header().empty() && names_row_labels(table.header().front());
+  if (named == kCorners || (named == 0 && !begins_with_labels)) return columns;
+  table.fail_in_header("the header does not tell which columns are the corners; call them " + corner_names<kCorners>());
 }
 
 template <std::size_t kCorners>
@@ -72,7 +82,12 @@ std::vector<Edge> read_edges(const std::string& path) {
   return edges;
 }
 
+void require_table_name(const std::string& path) {
+  require_fitting_ending(path, {".csv"}, "triangles and edges are written as CSV");
+}
+
 void write_triangles(const std::string& path, std::span<const Triangle> triangles) {
+  require_table_name(path);
   write_file_atomically(path, [&](OutputFile& file) {
     file.append("a,b,c\n");
     for (const Triangle& triangle : triangles) append_row(file, triangle);
@@ -80,6 +95,7 @@ void write_triangles(const std::string& path, std::span<const Triangle> triangle
 }
 
 void write_edges(const std::string& path, std::span<const Edge> edges) {
+  require_table_name(path);
   write_file_atomically(path, [&](OutputFile& file) {
     file.append("a,b\n");
     for (const Edge& edge : edges) append_row(file, std::array{edge.a, edge.b});

@@ -1,8 +1,9 @@
 // Reading and writing triangle lists and edge lists: CSV with the header "a,b,c" or "a,b".
 //
-// Corners are 0-based positions in the point file. Readers also take blanks or semicolons between columns, `#` comments
-// and lists without a header. Further columns, such as a triangle's perimeter, are ignored when a header names them; if
-// the header has no columns a, b (and c), the first ones are taken.
+// Corners are 0-based positions in the point file. Readers take the same texts as for points (geometry/text_table.h),
+// also without a header. Further columns, such as a triangle's perimeter, are ignored when a header names them. If the
+// header names none of a, b (and c), the first columns are taken, unless they are called id or the like; if it names
+// some of them only, it is refused.
 #pragma once
 
 #include <span>
@@ -21,7 +22,11 @@ namespace mwt {
 /// The edges in the order of the file, each with its smaller end first. Otherwise as above.
 [[nodiscard]] std::vector<Edge> read_edges(const std::string& path);
 
-/// The file appears complete or not at all (geometry/output_file.h); `-` is standard output. Throws InputError.
+/// Throws InputError if the name's ending promises another kind of file, such as .json.
+void require_table_name(const std::string& path);
+
+/// The file appears complete or not at all (geometry/output_file.h); `-` is standard output. Throws InputError
+/// if it cannot be written, and as require_table_name() does.
 void write_triangles(const std::string& path, std::span<const Triangle> triangles);
 void write_edges(const std::string& path, std::span<const Edge> edges);
 

@@ -43,6 +43,15 @@ TEST(TriangulationFile, IgnoresColumnsThatTheHeaderNames) {
   EXPECT_EQ(triangles("i j k quality\n9 2 4 good\n5 0 7 bad\n"), kTriangles);
 }
 
+TEST(TriangulationFile, AHeaderThatLeavesDoubtAboutTheCornersIsAnError) {
+  const std::string message = ":1: the header does not tell which columns are the corners; call them a, b and c";
+  EXPECT_EQ(error("id,i,j,k\n1,9,2,4\n"), message);
+  EXPECT_EQ(error("a,b,d\n9,2,4\n"), message);
+  EXPECT_EQ(error("id,a,b,quality\n1,9,2,4\n"), message);
+  EXPECT_EQ(error("a,b,c,a\n9,2,4,1\n"), ":1: two columns are called 'a'; keep one name");
+  EXPECT_EQ(triangles("c,a,b\n4,9,2\n7,5,0\n"), kTriangles);
+}
+
 TEST(TriangulationFile, ReadsEdgesSmallerEndFirst) {
   EXPECT_EQ(edges("a,b\n0,8\n5,2\n"), kEdges);
   EXPECT_EQ(edges("8 0\n2 5\n"), kEdges);

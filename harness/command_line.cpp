@@ -2,12 +2,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include <concepts>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <new>
 
 #include "algorithms/algorithm.h"
 #include "geometry/error.h"
+#include "geometry/given_number.h"
+#include "geometry/text_lines.h"
 #include "harness/text.h"
 
 namespace mwt {
@@ -33,6 +37,17 @@ void require_known_command(std::span<const Command> commands, int argument_count
     if (command.name == name) return;
   }
   throw InputError("unknown command '" + name + "'; known: " + names_of(commands) + "; see mwt --help");
+}
+
+// CLI11 would take 0100 for 64 and wrap -1 around, so it is given texts only.
+template <class Number, class Use>
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& help, NumberRange<Number> range,
+                        const Use& use) {
+  const auto read = [name, range, use](const std::string& text) {
+    use(given_number(name + ' ' + shown(text), text, range));
+  };
+  return app.add_option_function<std::string>(name, read, help)
+      ->type_name(std::floating_point<Number> ? "NUMBER" : "N");
 }
 
 int run_and_flush(const Command& command) {
@@ -97,19 +112,25 @@ void CommandOptions::option(const std::string& name, std::optional<std::string>&
 }
 
 void CommandOptions::option(const std::string& name, std::uint64_t& value, const std::string& help) {
-  app_.add_option(name, value, help)->capture_default_str();
+  constexpr NumberRange<std::uint64_t> kAll{0, std::numeric_limits<std::uint64_t>::max()};
+  add_number(app_, name, help, kAll, [&value](std::uint64_t given) {
+    value = given;
+  })->default_str(std::to_string(value));
 }
 
 void CommandOptions::option(const std::string& name, std::optional<Index>& value, const std::string& help) {
-  app_.add_option(name, value, help);
+  constexpr NumberRange<Index> kAll{0, kNoIndex - 1};
+  add_number(app_, name, help, kAll, [&value](Index given) { value = given; });
 }
 
 void CommandOptions::positive(const std::string& name, int& value, const std::string& help) {
-  app_.add_option(name, value, help)->capture_default_str()->check(CLI::Range(1, 1 << 20).description(""));
+  constexpr NumberRange<int> kPositive{1, 1 << 20};
+  add_number(app_, name, help, kPositive, [&value](int given) { value = given; })->default_str(std::to_string(value));
 }
 
 void CommandOptions::positive(const std::string& name, std::optional<double>& value, const std::string& help) {
-  app_.add_option(name, value, help)->check(CLI::Range(1e-9, 1e9).description(""));
+  constexpr NumberRange<double> kPositive{1e-9, 1e9};
+  add_number(app_, name, help, kPositive, [&value](double given) { value = given; });
 }
 
 void CommandOptions::repeated(const std::string& name, std::vector<std::string>& values, const std::string& help) {

@@ -2,10 +2,6 @@
 
 #include <algorithm>
 
-#include "geometry/checker.h"
-#include "geometry/error.h"
-#include "geometry/triangulation_file.h"
-
 namespace mwt {
 
 std::optional<std::string> start_file_of(const AlgorithmInfo& algorithm, const Parameters& parameters) {
@@ -16,14 +12,6 @@ std::optional<std::string> start_file_of(const AlgorithmInfo& algorithm, const P
     if (!is_named_start) return value;
   }
   return std::nullopt;
-}
-
-Triangulation read_start(const std::string& path, const PointSet& set, const std::vector<Point>& input) {
-  Triangulation start = from_input_indices(set, input, read_triangles(path));
-  if (const auto violation = find_violation(set.points, start)) {
-    throw InputError(path + ": not a triangulation of these points: " + violation->message);
-  }
-  return start;
 }
 
 }  // namespace mwt

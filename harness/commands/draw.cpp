@@ -3,16 +3,17 @@
 #include <iterator>
 #include <memory>
 
-#include "geometry/checker.h"
 #include "geometry/convex_hull.h"
-#include "geometry/error.h"
+#include "geometry/input_file.h"
+#include "geometry/output_file.h"
 #include "geometry/point_file.h"
 #include "geometry/point_set.h"
 #include "geometry/svg.h"
-#include "geometry/triangulation_file.h"
 #include "geometry/weight.h"
 #include "harness/aligned_table.h"
 #include "harness/commands/commands.h"
+#include "harness/commands/output_options.h"
+#include "harness/given_triangulation.h"
 #include "harness/text.h"
 
 namespace mwt {
@@ -32,10 +33,7 @@ constexpr std::size_t kMostLabels = 50;
 
 // The edges of a file's triangulation, sorted, as positions in the point file.
 std::vector<Edge> edges_in_input(const std::string& file, const PointSet& set, const std::vector<Point>& input) {
-  const Triangulation triangulation = from_input_indices(set, input, read_triangles(file));
-  if (const auto violation = find_violation(set.points, triangulation)) {
-    throw InputError(file + ": not a triangulation of these points: " + violation->message);
-  }
+  const Triangulation triangulation = read_triangulation(file, set, input);
   return edges_of({set.input_count, to_input_indices(set, triangulation.triangles)});
 }
 
@@ -72,9 +70,18 @@ std::string comparison(const Options& options, Points points, const std::vector<
   return table.text();
 }
 
+void require_usable_output(const Options& options) {
+  std::vector<std::string> inputs = {options.points, options.triangles};
+  if (!options.other.empty()) inputs.push_back(options.other);
+  const OutputOption output{"--output", options.output};
+  require_usable_outputs({&output, 1}, inputs);
+  require_picture_name(options.output);
+}
+
 int draw(const Options& options) {
+  require_usable_output(options);
   const std::vector<Point> input = read_points(options.points);
-  const PointSet set = make_point_set(input, options.points);
+  const PointSet set = make_point_set(input, source_name(options.points));
   const std::vector<Edge> edges = edges_in_input(options.triangles, set, input);
   const std::vector<Edge> other =
       options.other.empty() ? std::vector<Edge>{} : edges_in_input(options.other, set, input);
@@ -85,7 +92,7 @@ int draw(const Options& options) {
   picture.labels = options.labels || input.size() <= kMostLabels;
   picture.width_px = options.width_px;
   write_svg(options.output, picture);
-  if (options.output != "-") std::cout << comparison(options, input, edges, other);
+  if (!is_standard_output(options.output)) std::cout << comparison(options, input, edges, other);
   return kExitOk;
 }
 

@@ -5,6 +5,7 @@
 #include "geometry/output_file.h"
 #include "harness/commands/commands.h"
 #include "harness/commands/history_option.h"
+#include "harness/commands/output_options.h"
 #include "harness/tracking/changes.h"
 #include "harness/tracking/history.h"
 #include "harness/tracking/history_text.h"
@@ -45,6 +46,10 @@ std::string answer(const Options& options) {
 }
 
 int history(const Options& options) {
+  if (options.output) {
+    const OutputOption output{"--output", *options.output};
+    require_usable_outputs({&output, 1}, {history_path(options.history)});
+  }
   const std::string text = answer(options);
   if (options.output) {
     write_file_atomically(*options.output, text);

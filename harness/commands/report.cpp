@@ -1,11 +1,13 @@
 #include "harness/report/report.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
 #include "geometry/output_file.h"
 #include "harness/commands/commands.h"
+#include "harness/commands/output_options.h"
 
 namespace mwt {
 
@@ -16,12 +18,26 @@ struct Options {
   std::optional<std::string> tables;
 };
 
+// The tables must not take the place of what they are made of, or of what is written beside them.
+void require_usable_output(const Options& options) {
+  if (!options.tables) return;
+  std::vector<std::string> files;
+  for (const char* name : {"runs.csv", "instances.csv", "environments.csv", "study.toml", "summary.csv",
+                           "exponents.csv", "claims.csv", "claim_rows.csv"}) {
+    files.push_back((std::filesystem::path(options.folder) / name).string());
+  }
+  const OutputOption output{"--tables", *options.tables};
+  require_usable_outputs({&output, 1}, files);
+}
+
 int report(const Options& options) {
+  require_usable_output(options);
   const ReportData data = read_report_data(options.folder);
   std::ostringstream tables;
   for (const ReportPart& part : report_tables()) part(data, tables);
   write_file_atomically(options.tables.value_or("-"), tables.str());
-  if (options.tables) std::cout << "written: " << *options.tables << '\n';
+  const bool is_file = options.tables && !is_standard_output(*options.tables);
+  if (is_file) std::cout << "written: " << *options.tables << '\n';
   for (const ReportPart& part : report_results()) part(data, std::cout);
   return kExitOk;
 }

@@ -3,12 +3,16 @@
 #include <memory>
 #include <stdexcept>
 
+#include "geometry/error.h"
+#include "geometry/input_file.h"
 #include "geometry/point_file.h"
 #include "geometry/svg.h"
 #include "geometry/triangulation_file.h"
 #include "harness/catalogue.h"
 #include "harness/commands/commands.h"
+#include "harness/commands/output_options.h"
 #include "harness/execution.h"
+#include "harness/given_triangulation.h"
 #include "harness/json_output.h"
 #include "harness/optimum_cache.h"
 #include "harness/quality.h"
@@ -44,7 +48,8 @@ Request make_request(const Options& options, const Catalogue& catalogue, const I
   request.seed = options.seed;
   request.threads = options.threads;
   request.time_limit_s = options.time_limit_s;
-  if (const auto file = start_file_of(info, request.parameters)) request.start = read_start(*file, instance.set, input);
+  if (const auto file = start_file_of(info, request.parameters))
+    request.start = read_triangulation(*file, instance.set, input);
   return request;
 }
 
@@ -143,6 +148,31 @@ void rate(SolveReport& report, const std::optional<Interval>& claimed, const Fou
   report.optimum_cached = found.is_cached;
 }
 
+std::vector<OutputOption> outputs_of(const Options& options) {
+  std::vector<OutputOption> outputs;
+  for (const auto& [name, file] :
+       {std::pair("--triangles", options.triangles), {"--edges", options.edges}, {"--svg", options.svg}}) {
+    if (file) outputs.push_back({name, *file});
+  }
+  return outputs;
+}
+
+// Everything that can be wrong about them, before an hour of work is lost to it.
+void require_usable_outputs(const Options& options, const Request& request) {
+  const std::vector<OutputOption> outputs = outputs_of(options);
+  std::vector<std::string> inputs = {options.points};
+  if (const auto start = start_file_of(*request.algorithm, request.parameters)) inputs.push_back(*start);
+  require_usable_outputs(outputs, inputs);
+  for (const auto& table : {options.triangles, options.edges}) {
+    if (table) require_table_name(*table);
+  }
+  if (options.svg) require_picture_name(*options.svg);
+  const auto streamed = output_to_standard_output(outputs);
+  if (streamed && options.json)
+    throw InputError("--json and " + streamed->option + " both go to standard output; give " + streamed->option +
+                     " a file");
+}
+
 void write_files(const Options& options, const Instance& instance, const std::vector<Point>& input,
                  const Triangulation& triangulation) {
   const Triangulation in_input{instance.set.input_count, to_input_indices(instance.set, triangulation.triangles)};
@@ -151,16 +181,19 @@ void write_files(const Options& options, const Instance& instance, const std::ve
   if (options.svg) write_svg(*options.svg, input, in_input);
 }
 
+// Standard output is for the file if one goes there.
 void print(const Options& options, const SolveReport& report) {
-  std::cout << (options.json ? to_json(report) : readable_text(report));
+  std::ostream& out = output_to_standard_output(outputs_of(options)) ? std::cerr : std::cout;
+  out << (options.json ? to_json(report) : readable_text(report));
 }
 
 int solve(const Options& options) {
   const Catalogue catalogue = Catalogue::built_in();
   static_cast<void>(catalogue.algorithm(options.algorithm));  // a wrong name is said before a large file is read
   const std::vector<Point> input = read_points(options.points);
-  const Instance instance = make_instance(input, options.points);
+  const Instance instance = make_instance(input, source_name(options.points));
   const Request request = make_request(options, catalogue, instance, input);
+  require_usable_outputs(options, request);
   const Execution execution = execute_once(request, instance.set.points);
   const Judgement judgement = judge(instance.set.points, execution.solution.triangulation);
   SolveReport report = describe(request, instance, execution, judgement);
@@ -186,10 +219,12 @@ void declare(CommandOptions& declared, Options& options) {
   declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to tell alpha");
   declared.flag("--no-cache", options.no_cache, "seek that optimum anew; leave the optimum cache alone");
   declared.flag("--json", options.json, "print one JSON object");
-  declared.option("--triangles", options.triangles,
-                  "write the triangles (a,b,c per line; positions in the point file)");
+  declared.option(
+      "--triangles", options.triangles,
+      "write the triangles (a,b,c per line; positions in the point file); with - for this or the next two, the "
+      "report goes to standard error");
   declared.option("--edges", options.edges, "write the edges (a,b per line)");
-  declared.option("--svg", options.svg, "write a picture");
+  declared.option("--svg", options.svg, "write a picture (.svg)");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "geometry/error.h"
-#include "harness/start_triangulation.h"
+#include "harness/given_triangulation.h"
 #include "harness/study/isolated_run.h"
 #include "harness/study/optimum_search.h"
 #include "harness/study/study_session.h"
@@ -89,7 +89,7 @@ class RunPhase {
     request.seed = planned.seed;
     request.threads = session_.study.threads;
     request.time_limit_s = session_.study.limits.time_s;
-    if (run.start_file) request.start = read_start(*run.start_file, instance.set, planned.make_points());
+    if (run.start_file) request.start = read_triangulation(*run.start_file, instance.set, planned.make_points());
     return request;
   }
 

@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <charconv>
+#include <cstddef>
 #include <numeric>
 
 #include "geometry/error.h"
+#include "geometry/number_text.h"
 #include "harness/study/plan.h"
 
 namespace mwt {
@@ -23,16 +24,14 @@ std::vector<std::size_t> by_size(const Plan& plan) {
 std::string Shard::text() const { return count == 1 ? "" : std::to_string(number) + '/' + std::to_string(count); }
 
 Shard parse_shard(const std::string& text) {
-  Shard shard;
-  const char* const end = text.data() + text.size();
-  const auto [slash, number_error] = std::from_chars(text.data(), end, shard.number);
-  const bool has_both = number_error == std::errc() && slash != end && *slash == '/';
-  const auto [rest, count_error] = has_both ? std::from_chars(slash + 1, end, shard.count) : std::from_chars_result{};
-  const bool is_well_formed = has_both && count_error == std::errc() && rest == end;
-  if (!is_well_formed || shard.number < 1 || shard.number > shard.count) {
+  const std::size_t slash = text.find('/');
+  const bool has_both = slash != std::string::npos;
+  const auto number = parse_whole_number<std::size_t>(text.substr(0, slash));
+  const auto count = parse_whole_number<std::size_t>(has_both ? text.substr(slash + 1) : "");
+  if (!number || !count || *number < 1 || *number > *count) {
     throw InputError("--shard " + text + ": must be i/N with 1 <= i <= N, such as 1/4");
   }
-  return shard;
+  return {*number, *count};
 }
 
 Plan part_of(const Plan& plan, const Shard& shard) {

@@ -1,0 +1,24 @@
+// What a command writes besides its report: checked before any work is done.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace mwt {
+
+/// An option that names a file to write, such as {"--svg", "out.svg"}.
+struct OutputOption {
+  std::string option;
+  std::string path;
+};
+
+/// Throws InputError: an output is one of the inputs, two outputs are the same file or both standard output, or one
+/// cannot be written. Changes nothing.
+void require_usable_outputs(std::span<const OutputOption> outputs, const std::vector<std::string>& inputs);
+
+/// The one that goes to standard output, if any.
+[[nodiscard]] std::optional<OutputOption> output_to_standard_output(std::span<const OutputOption> outputs);
+
+}  // namespace mwt
