@@ -46,8 +46,7 @@ enum class PolygonFaceOutcome {
 /// of the candidates at one of their ends.
 class PolygonFaceSolver {
  public:
-  /// `points` are those of the graph, perhaps multiplied by a power of two: lengths below 2^-900 are compared slowly.
-  PolygonFaceSolver(const CandidateGraph& graph, Points points) : graph_(graph), points_(points) {}
+  explicit PolygonFaceSolver(const CandidateGraph& graph) : graph_(graph) {}
 
   /// Adds the face's optimal triangulation to `result`, unless the outcome is another than `solved`.
   /// Precondition: at least 3 corners.
@@ -98,7 +97,6 @@ class PolygonFaceSolver {
   [[nodiscard]] DoubleDouble value(const Option& option) const { return value_[option.left] + value_[option.right]; }
 
   const CandidateGraph& graph_;
-  Points points_;
   PolygonFaceCounters counters_;
 
   std::span<const Corner> corners_;
