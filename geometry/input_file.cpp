@@ -34,11 +34,12 @@ class Descriptor {
 };
 
 [[noreturn]] void fail(const std::string& path, int error) {
+  const std::string name = source_name(path);
   switch (error) {
-    case ENOENT: throw InputError(path + ": no such file; check the name");
-    case EISDIR: throw InputError(path + ": is a folder; name a file in it");
-    case EACCES: throw InputError(path + ": no permission to read it; change its mode or choose another file");
-    default: throw InputError(path + ": cannot be read: " + std::generic_category().message(error));
+    case ENOENT: throw InputError(name + ": no such file; check the name");
+    case EISDIR: throw InputError(name + ": is a folder; name a file in it");
+    case EACCES: throw InputError(name + ": no permission to read it; change its mode or choose another file");
+    default: throw InputError(name + ": cannot be read: " + std::generic_category().message(error));
   }
 }
 
@@ -51,6 +52,8 @@ std::size_t expected_size(const std::string& path, int descriptor) {
 }
 
 }  // namespace
+
+std::string source_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 
 std::string read_file(const std::string& path) {
   const Descriptor file(path);

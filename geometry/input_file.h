@@ -9,4 +9,7 @@ namespace mwt {
 /// Throws InputError naming the file and the remedy: missing, a folder, no permission, a failing disk.
 [[nodiscard]] std::string read_file(const std::string& path);
 
+/// How messages name the file at `path`: "standard input" for `-`.
+[[nodiscard]] std::string source_name(const std::string& path);
+
 }  // namespace mwt

@@ -8,6 +8,7 @@
 #include "geometry/number_text.h"
 #include "geometry/output_file.h"
 #include "geometry/point_formats.h"
+#include "geometry/text_file.h"
 #include "geometry/text_lines.h"
 
 namespace mwt {
@@ -25,14 +26,11 @@ Format format_of(const std::string& path) {
   throw InputError(path + ": unknown ending " + shown(ending) + "; use .txt, .xy, .csv, .tsp or .json");
 }
 
-bool has_no_ending(const std::string& path) { return std::filesystem::path(path).extension().empty(); }
-
-// What a stream without a telling name holds.
+// What a file holds that could be any of the three. No table of points begins with a brace.
 Format format_by_content(std::string_view text) {
-  const std::size_t start = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  const std::size_t start = text.find_first_not_of(" \t\r\n");
   if (start != std::string_view::npos && text[start] == '{') return Format::json;
-  if (text.find("NODE_COORD_SECTION") != std::string_view::npos) return Format::tsplib;
-  return Format::text;
+  return looks_like_tsplib(text) ? Format::tsplib : Format::text;
 }
 
 void write_text(OutputFile& file, Points points, char separator) {
@@ -82,9 +80,10 @@ void write_json(OutputFile& file, Points points) {
 
 std::vector<Point> read_points(const std::string& path) {
   const Format by_name = format_of(path);
-  const std::string text = read_file(path);
-  const std::string source = path == "-" ? "standard input" : path;
-  switch (has_no_ending(path) ? format_by_content(text) : by_name) {
+  const std::string text = read_text_file(path);
+  const std::string source = source_name(path);
+  const bool is_fixed = by_name == Format::tsplib || by_name == Format::json;
+  switch (is_fixed ? by_name : format_by_content(text)) {
     case Format::tsplib: return parse_tsplib_points(source, text);
     case Format::json: return parse_json_points(source, text);
     default: return parse_text_points(source, text);

@@ -1,15 +1,19 @@
 // Reading and writing point files; the format follows from the file's ending.
 //
-//   .txt .xy .csv   a point per line, "x y", "x,y" or "x;y". `#` starts a comment. The first line may be a header; if
-//   it
-//                   names columns x and y, these are read and all others ignored. Without such a header there are two
-//                   columns, or three of which the first is an id: integers counting up by one.
-//   .tsp            TSPLIB with a NODE_COORD_SECTION of points in the plane, in the order of the file. The coordinates
-//                   are read as they stand whatever EDGE_WEIGHT_TYPE says: GEO degrees, too, become plain x and y.
+//   .txt .xy .csv   a point per line, "x y", "x,y", "x;y" or, with tabs, an empty cell between two tabs. `#` starts a
+//                   comment, quotes around cells are taken off. The first line may be a header: every cell begins with
+//                   a letter. If it names x and y ("x", "x [m]", "POINT_X"), these columns are read, in whatever order,
+//                   and all others ignored; if it names one of them only, it is refused. Without such names there are
+//                   two columns, or three of which the first is an id: integers counting up by one. JSON and TSPLIB
+//                   are read here, too.
+//   .tsp            TSPLIB: the NODE_COORD_SECTION, or without one the DISPLAY_DATA_SECTION, of points in the plane, in
+//                   the order of the file. The coordinates are read as they stand whatever EDGE_WEIGHT_TYPE says: GEO
+//                   degrees, too, become plain x and y. Nodes may have names without blanks.
 //   .json           {"points": [{"x": 1, "y": 2}, ...]}, as in the CG:SHOP challenges; other keys are ignored.
 //   no ending, -    (`-` is standard input or output) text on writing; on reading, whichever of the three it looks
-//   like.
+//                   like.
 //
+// Text is UTF-8, or UTF-16 with a byte order mark; lines end with LF, CRLF or CR (geometry/text_file.h).
 // Endings count in either case; any other is an error.
 #pragma once
 

@@ -32,6 +32,7 @@ class PointCollector final : public Json::json_sax_t {
   bool key(string_t& name) override {
     if (depth_ == 1) points_are_next_ = name == "points";
     if (in_points_ && depth_ == 3) expected_ = name == "x" ? &x_ : name == "y" ? &y_ : nullptr;
+    if (expected_ != nullptr && *expected_) fail_at_point("has " + name + " twice");
     return true;
   }
 
@@ -55,7 +56,10 @@ class PointCollector final : public Json::json_sax_t {
   bool start_array(std::size_t) override {
     if (expected_ != nullptr) fail_at_point("has an array for a coordinate");
     if (in_points_ && depth_ == 2) fail_at_point("is an array");
-    if (depth_ == 1 && points_are_next_) in_points_ = found_points_ = true;
+    if (depth_ == 1 && points_are_next_) {
+      if (found_points_) throw InputError(source_ + ": a second list \"points\"; keep one");
+      in_points_ = found_points_ = true;
+    }
     ++depth_;
     return true;
   }

@@ -94,6 +94,77 @@ TEST(PointFileText, ThreeColumnsThatDoNotCountAreAnError) {
             "p.txt:1: 3 columns, but '0.5' is no integer id; write x y, or a header that names x and y");
 }
 
+TEST(PointFileText, TheFirstPointIsNeverTakenForAHeader) {
+  const auto first_line = [](const std::string& row) { return error("p.csv", row + "\n1,2\n3,4\n4,1\n"); };
+  for (const char* row :
+       {"\xE2\x88\x92"
+        "1,\xE2\x88\x92"
+        "1",
+        "NA,NA", "0.5f,1.5f", "59.3 deg,18 deg", "0x1p3,0x1p4", "0.1D+01,0.2D+01", "(0,0)", "-,-", ".,."}) {
+    EXPECT_TRUE(first_line(row).starts_with("p.csv:1: '")) << row;
+  }
+  EXPECT_EQ(error("p.txt", ". .\n1 0\n0 1\n3 3\n"), "p.txt:1: '.' is not a number; write one such as 1.5 or 2e-3");
+}
+
+TEST(PointFileText, AHeaderThatNamesOneCoordinateOnlyIsAnError) {
+  const std::string remedy = "; call both coordinates by their names";
+  EXPECT_EQ(error("p.csv", "id,x\n1,10\n2,20\n3,5\n"), "p.csv:1: the header names x but not y" + remedy);
+  EXPECT_EQ(error("p.csv", "x,z\n1,10\n2,20\n3,5\n"), "p.csv:1: the header names x but not y" + remedy);
+  EXPECT_EQ(error("p.csv", "# c\nname,y\n1,10\n"), "p.csv:2: the header names y but not x" + remedy);
+  EXPECT_EQ(error("p.csv", "id,x,z\n1,10,5\n2,20,5\n"), "p.csv:1: the header names x but not y" + remedy);
+  EXPECT_EQ(error("p.csv", "x,x,y\n1,2,3\n"), "p.csv:1: two columns are called 'x'; keep one name");
+  EXPECT_EQ(error("p.csv", "x1 [x],x2 [x],y\n1,2,3\n"),
+            "p.csv:1: columns 'x1 [x]' and 'x2 [x]' could both be x; call the coordinates x and y");
+  EXPECT_EQ(error("p.csv", "x.y,x\n1,2\n"), "p.csv:1: the header names x but not y" + remedy);
+}
+
+TEST(PointFileText, AHeaderThatNamesNeitherCoordinateMustLeaveNoDoubt) {
+  const std::string remedy = "p.csv:1: the header does not tell which columns are the coordinates; call them x and y";
+  EXPECT_EQ(error("p.csv", "id,easting\n1,10\n2,20\n"), remedy);
+  EXPECT_EQ(error("p.csv", "easting,northing,height\n1,10,5\n2,20,5\n"), remedy);
+  EXPECT_EQ(error("p.csv", "easting,name,northing\n1,10,5\n2,20,5\n"), remedy);
+}
+
+TEST(PointFileText, ColumnsAreObeyedInAnyOrder) {
+  const std::vector<Point> swapped{{2, 1}, {4e10, -0.5}, {0.25, 3}};
+  EXPECT_EQ(read("p.csv", "\xEF\xBB\xBF\xEF\xBB\xBFy,x\n1,2\n-0.5,4e10\n3,0.25\n"), swapped);
+  EXPECT_EQ(read("p.csv", "y [m],x [m]\n1,2\n-0.5,4e10\n3,0.25\n"), swapped);
+  EXPECT_EQ(read("p.csv", ",POINT_Y,POINT_X\na,1,2\nb,-0.5,4e10\nc,3,0.25\n"), swapped);
+  EXPECT_EQ(read("p.csv", "old x,x,y\n9,1,2\n9,-0.5,4e10\n9,3,0.25\n"), kThreePoints);
+}
+
+TEST(PointFileText, LinesWithTabsAreSplitAtTabs) {
+  const std::string header = "site\tx\ty\n";
+  EXPECT_EQ(read("p.txt", header + "Route 66\t1\t2\nQuarry\t-0.5\t4e10\n\t3\t0.25\n"), kThreePoints);
+  EXPECT_EQ(error("p.txt", header + "Route 66\t\t3.5\nQuarry\t10\t2\nMill\t4\t9\n"),
+            "p.txt:2: column 2 (x) is empty; write a number");
+}
+
+TEST(PointFileText, ReadsForeignEncodingsAndLineEnds) {
+  EXPECT_EQ(read("p.txt", "1 2\r-0.5 4e10\r3 0.25\r"), kThreePoints);
+  EXPECT_EQ(read("p.csv", "# old\rx,y\r1,2\r-0.5,4e10\r3,0.25"), kThreePoints);
+  std::string wide = "\xFF\xFE";
+  for (const char c : std::string("x;y\r\n1;2\r\n-0.5;4e10\r\n3;0.25\r\n")) (wide += c) += '\0';
+  EXPECT_EQ(read("p.csv", wide), kThreePoints);
+  EXPECT_EQ(read("p.csv", "sep=;\r\n\"x\";\"y\"\r\n\"1\";\"2\"\r\n-0.5;4e10\r\n3;0.25\r\n"), kThreePoints);
+  EXPECT_EQ(error("p.txt", "\x1F\x8B\x08" + std::string(3, '\0')),
+            "p.txt:1: has a NUL byte, so it is no text, or UTF-16 without a byte order mark; save it as UTF-8");
+}
+
+TEST(PointFileText, OtherFormatsAreReadWhateverTheNameOfATextFile) {
+  EXPECT_EQ(read("p.txt", R"({"points": [{"x": 1, "y": 2}, {"x": -0.5, "y": 4e10}, {"x": 3, "y": 0.25}]})"),
+            kThreePoints);
+  EXPECT_EQ(read("p.csv", "name: three\nnode_coord_section\n1 1 2\n2 -0.5 4e10\n3 3 0.25\n"), kThreePoints);
+  EXPECT_EQ(read("p.txt", "cross_section x y\n1 1 2\n2 -0.5 4e10\n3 3 0.25\n"), kThreePoints);
+}
+
+TEST(PointFileText, AnIdBelowAllIntegersIsNoSuccessor) {
+  EXPECT_EQ(
+      error("p.txt", "5 0 0\n-9223372036854775808 1 1\n"),
+      "p.txt:2: 3 columns, but the first does not count up (-9223372036854775808 after 5), so it is no id; write x "
+      "y, or a header that names x and y");
+}
+
 TEST(PointFileText, FilesWithoutPoints) {
   const std::string message = "p.txt: no points in it; write one \"x y\" per line";
   EXPECT_EQ(error("p.txt", ""), message);
@@ -134,6 +205,23 @@ TEST(PointFileTsplib, TakesGeographicCoordinatesAsTheyStand) {
       kThreePoints);
 }
 
+TEST(PointFileTsplib, ReadsDisplayCoordinatesIfThereAreNoOthers) {
+  const std::string head = "DIMENSION: 3\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_SECTION\n0 1 2\n";
+  EXPECT_EQ(read("p.tsp", head + "DISPLAY_DATA_SECTION\n1 1 2\n2 -0.5 4e10\n3 3 0.25\nEOF\n"), kThreePoints);
+  EXPECT_EQ(error("p.tsp", head + "DISPLAY_DATA_SECTION\n1 1 2\nEOF\n"),
+            "p.tsp: DIMENSION is 3, but DISPLAY_DATA_SECTION has 1 points; correct one of them");
+}
+
+TEST(PointFileTsplib, NamesOfNodesDoNotEndTheSection) {
+  EXPECT_EQ(read("p.tsp", "NODE_COORD_SECTION\n1 1 2\nB -0.5 4e10\n\"c\" 3 0.25\nDEMAND_SECTION\n1 0\n"), kThreePoints);
+  EXPECT_EQ(error("p.tsp", "NODE_COORD_SECTION\nA 0 0\nB 1 one\n"),
+            "p.tsp:3: 'one' is not a number; write one such as 1.5 or 2e-3");
+  EXPECT_EQ(error("p.tsp", "NODE_COORD_SECTION\n1 0 0\nNew York 1 1\n"),
+            "p.tsp:3: 4 column(s); a node is a number, x and y (points in the plane only)");
+  EXPECT_EQ(error("p.tsp", "NODE_COORD_SECTION\n1 0 0\nNOISE\n2 0 1\n"),
+            "p.tsp:3: 1 column(s); a node is a number, x and y (points in the plane only)");
+}
+
 TEST(PointFileTsplib, NamesThePlaceOfEveryMistake) {
   EXPECT_EQ(
       error("p.tsp", "NAME : full\nEDGE_WEIGHT_TYPE : EXPLICIT\nEDGE_WEIGHT_SECTION\n0 1\nEOF\n"),
@@ -155,6 +243,10 @@ TEST(PointFileTsplib, NamesThePlaceOfEveryMistake) {
   EXPECT_EQ(error("p.tsp", "NODE_COORD_SECTION\n1 0 0\nNODE_COORD_SECTION\n1 0 0\n"),
             "p.tsp:3: a second NODE_COORD_SECTION; keep one");
   EXPECT_EQ(error("p.tsp", "NODE_COORD_SECTION\nEOF\n"), "p.tsp: no points in NODE_COORD_SECTION");
+  EXPECT_EQ(error("p.tsp", "DIMENSION : 2\nDIMENSION : 1\nNODE_COORD_SECTION\n1 0 0\n"),
+            "p.tsp:2: a second DIMENSION; keep the right one");
+  EXPECT_EQ(error("p.tsp", "NODE_COORD_SECTION\n1 0.1D+01 0\n"),
+            "p.tsp:2: '0.1D+01' is not a number; write the exponent with e, as in 1e-3");
 }
 
 TEST(PointFileJson, ReadsPointsAndIgnoresTheRest) {
@@ -183,6 +275,9 @@ TEST(PointFileJson, NamesThePlaceOfEveryMistake) {
   EXPECT_EQ(error("p.json", R"({"points": [[1, 2]]})"), "p.json: points[0] is an array" + remedy);
   EXPECT_EQ(error("p.json", R"({"points": [1, 2]})"), "p.json: points[0] is a number" + remedy);
   EXPECT_EQ(error("p.json", R"({"points": []})"), "p.json: the list \"points\" is empty");
+  EXPECT_EQ(error("p.json", R"({"points": [{"x": 1, "y": 2, "x": 3}]})"), "p.json: points[0] has x twice" + remedy);
+  EXPECT_EQ(error("p.json", R"({"points": [{"x": 1, "y": 2}], "points": []})"),
+            "p.json: a second list \"points\"; keep one");
   const std::string expected = "; expected {\"points\": [{\"x\": 1, \"y\": 2}, ...]}";
   EXPECT_EQ(error("p.json", R"({"nodes": []})"), "p.json: no list \"points\"" + expected);
   EXPECT_EQ(error("p.json", R"([{"x": 1, "y": 2}])"), "p.json: no list \"points\"" + expected);
@@ -193,6 +288,13 @@ TEST(PointFileJson, NamesThePlaceOfEveryMistake) {
             "p.json:2: '1e999' is not a finite double; scale the data down");
   EXPECT_TRUE(error("p.json", "").starts_with("p.json:1: no valid JSON at")) << error("p.json", "");
   EXPECT_TRUE(error("p.json", "{\"points\": [{\"x\": 1").starts_with("p.json:1: no valid JSON at"));
+}
+
+TEST(PointFileJson, DeepNestingIsNoDanger) {
+  constexpr int kDepth = 1000000;
+  const std::string nested = std::string(kDepth, '[') + std::string(kDepth, ']');
+  EXPECT_EQ(read("p.json", "{\"more\": " + nested + ", \"points\": [{\"x\": 1, \"y\": 2}]}").size(), 1U);
+  EXPECT_TRUE(error("p.json", std::string(kDepth, '[')).starts_with("p.json:1: no valid JSON at"));
 }
 
 TEST(PointFile, EveryFormatGivesBackTheSameDoubles) {
@@ -241,6 +343,7 @@ TEST(PointFile, StandardStreamsAreRecognisedByContent) {
   EXPECT_EQ(read_points(folder.file("text", "1 2\n-0.5 4e10\n3 0.25\n")), kThreePoints);
   EXPECT_EQ(read_points(folder.file("json", " {\"points\": [{\"x\": 1, \"y\": 2}]}")).size(), 1U);
   EXPECT_EQ(read_points(folder.file("tsplib", "NAME: a\nNODE_COORD_SECTION\n1 1 2\n")).size(), 1U);
+  EXPECT_EQ(read_points(folder.file("lower", "name: a\nnode_coord_section\n1 1 2\n")).size(), 1U);
   testing::internal::CaptureStdout();
   write_points("-", kThreePoints);
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "1 2\n-0.5 4e+10\n3 0.25\n");

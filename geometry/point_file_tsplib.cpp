@@ -1,7 +1,9 @@
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
+#include "geometry/cell_text.h"
 #include "geometry/number_text.h"
 #include "geometry/point_formats.h"
 #include "geometry/text_lines.h"
@@ -10,7 +12,30 @@ namespace mwt {
 
 namespace {
 
-constexpr std::string_view kCoordinateSection = "node_coord_section";
+constexpr std::string_view kNodes = "node_coord_section";
+constexpr std::string_view kDisplay = "display_data_section";
+
+constexpr std::array<std::string_view, 8> kSections = {kNodes,
+                                                       kDisplay,
+                                                       "depot_section",
+                                                       "demand_section",
+                                                       "edge_data_section",
+                                                       "fixed_edges_section",
+                                                       "edge_weight_section",
+                                                       "tour_section"};
+
+// Other keywords; some files have them without a colon.
+constexpr std::array<std::string_view, 11> kKeywords = {"eof",
+                                                        "name",
+                                                        "type",
+                                                        "comment",
+                                                        "dimension",
+                                                        "edge_weight_type",
+                                                        "capacity",
+                                                        "edge_data_format",
+                                                        "node_coord_type",
+                                                        "display_data_type",
+                                                        "edge_weight_format"};
 
 // "KEY : value", "KEY: value" or "KEY".
 struct Entry {
@@ -25,83 +50,127 @@ Entry parse_entry(std::string_view line) {
   return {lower_case(line.substr(0, end)), value};
 }
 
-std::size_t parse_dimension(const TextLines& lines, std::string_view text) {
-  std::size_t dimension = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, dimension);
-  if (error != std::errc() || stop != end) lines.fail("DIMENSION " + shown(text) + " is not a number of points");
-  return dimension;
+template <class Words>
+bool contains(const Words& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_keyword(std::string_view line) {
+  const std::string key = parse_entry(line).key;
+  return line.find(':') != std::string_view::npos || contains(kSections, key) || contains(kKeywords, key);
 }
 
 double parse_coordinate(const TextLines& lines, std::string_view text) {
   const std::optional<double> value = parse_number(text);
-  if (!value) lines.fail(shown(text) + " is not a number; write one such as 1.5 or 2e-3");
+  if (!value) lines.fail(not_a_number(text));
   if (!std::isfinite(*value)) lines.fail(shown(text) + " is not a finite double; scale the data down");
   return *value;
 }
 
-bool is_integer(std::string_view text) {
-  long long value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && stop == text.data() + text.size();
+bool begins_like_a_number(std::string_view line) {
+  return (line[0] >= '0' && line[0] <= '9') || line[0] == '-' || line[0] == '+' || line[0] == '.';
 }
 
-// Numbers start with a digit, a sign or a point; the next keyword ("EOF", another section) with a letter. Some files
+// Whether the line is the next keyword ("EOF", another section) rather than a node with a name in front. Some files
 // close a section with -1.
-bool ends_section(std::string_view line) {
-  const char c = line.front();
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || line == "-1";
+bool ends_section(std::string_view line, const std::vector<std::string_view>& columns) {
+  if (begins_like_a_number(line)) return line == "-1";
+  const bool is_named_node = columns.size() == 3 && parse_number(columns[1]) && parse_number(columns[2]);
+  return !is_named_node && is_keyword(line);
 }
 
-// Reads "number x y" per line. Returns whether it stopped at another keyword, which is then the current line.
+// A node's number, or its name.
+bool is_label(std::string_view text) {
+  return parse_whole_number<std::int64_t>(text).has_value() || is_column_name(without_quotes(text));
+}
+
+// Reads "node x y" per line. Returns whether it stopped at another keyword, which is then the current line.
 bool read_coordinates(TextLines& lines, std::vector<Point>& points) {
   std::vector<std::string_view> columns;
   while (lines.next()) {
-    if (lines.line().empty()) continue;
-    if (ends_section(lines.line())) return true;
-    split_columns(lines.line(), ' ', columns);
+    const std::string_view line = lines.line();
+    if (line.empty()) continue;
+    split_columns(line, ' ', columns);
+    if (ends_section(line, columns)) return true;
     if (columns.size() != 3) {
       lines.fail(std::to_string(columns.size()) + " column(s); a node is a number, x and y (points in the plane only)");
     }
-    if (!is_integer(columns[0])) lines.fail(shown(columns[0]) + " is not a node's number");
+    if (!is_label(columns[0])) lines.fail(shown(columns[0]) + " is not a node's number");
     points.push_back({parse_coordinate(lines, columns[1]), parse_coordinate(lines, columns[2])});
   }
   return false;
 }
 
+// What a file says, section by section.
+class TsplibReader {
+ public:
+  TsplibReader(const std::string& source, std::string_view text) : lines_(source, text) {}
+
+  std::vector<Point> read() {
+    bool has_line = lines_.next();
+    while (has_line) {
+      const Entry entry = parse_entry(lines_.line());
+      if (entry.key == "eof") break;
+      if (entry.key == "dimension") read_dimension(entry.value);
+      if (entry.key == "edge_weight_type") weight_type_ = entry.value;
+      if (entry.key == kNodes) {
+        has_line = read_section(nodes_, "NODE_COORD_SECTION");
+      } else if (entry.key == kDisplay && !nodes_) {
+        has_line = read_section(display_, "DISPLAY_DATA_SECTION");
+      } else {
+        has_line = lines_.next();
+      }
+    }
+    if (nodes_) return checked(*nodes_, "NODE_COORD_SECTION");
+    if (display_) return checked(*display_, "DISPLAY_DATA_SECTION");
+    lines_.fail_as_a_whole("no NODE_COORD_SECTION" +
+                           (weight_type_.empty() ? "" : " (EDGE_WEIGHT_TYPE " + shown(weight_type_) + ")") +
+                           "; only instances with coordinates in the plane can be read");
+  }
+
+ private:
+  void read_dimension(std::string_view text) {
+    const auto dimension = parse_whole_number<std::uint64_t>(text);
+    if (!dimension) lines_.fail("DIMENSION " + shown(text) + " is not a number of points");
+    if (dimension_ && *dimension_ != *dimension) lines_.fail("a second DIMENSION; keep the right one");
+    dimension_ = dimension;
+  }
+
+  bool read_section(std::optional<std::vector<Point>>& points, const std::string& name) {
+    if (points) lines_.fail("a second " + name + "; keep one");
+    return read_coordinates(lines_, points.emplace());
+  }
+
+  std::vector<Point> checked(std::vector<Point>& points, const std::string& section) const {
+    if (dimension_ && *dimension_ != points.size()) {
+      lines_.fail_as_a_whole("DIMENSION is " + std::to_string(*dimension_) + ", but " + section + " has " +
+                             std::to_string(points.size()) + " points; correct one of them");
+    }
+    if (points.empty()) lines_.fail_as_a_whole("no points in " + section);
+    return std::move(points);
+  }
+
+  TextLines lines_;
+  std::optional<std::vector<Point>> nodes_;
+  std::optional<std::vector<Point>> display_;
+  std::optional<std::uint64_t> dimension_;
+  std::string weight_type_;
+};
+
 }  // namespace
 
 std::vector<Point> parse_tsplib_points(const std::string& source, std::string_view text) {
-  TextLines lines(source, text);
-  std::vector<Point> points;
-  std::optional<std::size_t> dimension;
-  std::string weight_type;
-  bool has_section = false;
-  bool has_line = lines.next();
-  while (has_line) {
-    const Entry entry = parse_entry(lines.line());
-    if (entry.key == "dimension") dimension = parse_dimension(lines, entry.value);
-    if (entry.key == "edge_weight_type") weight_type = entry.value;
-    if (entry.key == "eof") break;
-    if (entry.key == kCoordinateSection) {
-      if (has_section) lines.fail("a second NODE_COORD_SECTION; keep one");
-      has_section = true;
-      has_line = read_coordinates(lines, points);
-    } else {
-      has_line = lines.next();
-    }
+  return TsplibReader(source, text).read();
+}
+
+bool looks_like_tsplib(std::string_view text) {
+  TextLines lines("", text);
+  while (lines.next()) {
+    const std::string_view line = lines.line();
+    if (!line.empty() && begins_like_a_number(line)) return false;
+    if (contains(kSections, parse_entry(line).key)) return true;
   }
-  if (!has_section) {
-    lines.fail_as_a_whole("no NODE_COORD_SECTION" +
-                          (weight_type.empty() ? "" : " (EDGE_WEIGHT_TYPE " + shown(weight_type) + ")") +
-                          "; only instances with coordinates in the plane can be read");
-  }
-  if (dimension && *dimension != points.size()) {
-    lines.fail_as_a_whole("DIMENSION is " + std::to_string(*dimension) + ", but NODE_COORD_SECTION has " +
-                          std::to_string(points.size()) + " points; correct one of them");
-  }
-  if (points.empty()) lines.fail_as_a_whole("no points in NODE_COORD_SECTION");
-  return points;
+  return false;
 }
 
 }  // namespace mwt

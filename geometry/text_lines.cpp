@@ -1,18 +1,17 @@
 #include "geometry/text_lines.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/unicode.h"
 
 namespace mwt {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::string_view kWhiteSpace = " \t\r\f\v";
-
-bool is_white_space(char c) { return kWhiteSpace.find(c) != std::string_view::npos; }
+bool is_white_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 
 void split_at_white_space(std::string_view line, std::vector<std::string_view>& columns) {
   const char* place = line.data();
@@ -28,21 +27,19 @@ void split_at_white_space(std::string_view line, std::vector<std::string_view>& 
 
 }  // namespace
 
-TextLines::TextLines(std::string source, std::string_view text) : source_(std::move(source)), rest_(text) {
-  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
-}
+TextLines::TextLines(std::string source, std::string_view text) : source_(std::move(source)), rest_(text) {}
 
 bool TextLines::next() {
   if (rest_.empty()) return false;
   const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-  line_ = trimmed(rest_.substr(0, end));
+  whole_line_ = rest_.substr(0, end);
   rest_.remove_prefix(std::min(end + 1, rest_.size()));
   ++number_;
   return true;
 }
 
-void TextLines::fail(const std::string& what) const {
-  throw InputError(source_ + ":" + std::to_string(number_) + ": " + what);
+void TextLines::fail_at(std::size_t number, const std::string& what) const {
+  throw InputError(source_ + ":" + std::to_string(number) + ": " + what);
 }
 
 void TextLines::fail_as_a_whole(const std::string& what) const { throw InputError(source_ + ": " + what); }
@@ -76,10 +73,17 @@ void split_columns(std::string_view line, char separator, std::vector<std::strin
 }
 
 std::string shown(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
+  constexpr std::size_t kLongest = 40;  // characters
   std::string result = "'";
-  for (const char c : text.substr(0, kLongest)) result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return result + (text.size() > kLongest ? "...'" : "'");
+  for (std::size_t shown = 0; !text.empty(); ++shown) {
+    if (shown == kLongest) return result + "...'";
+    const std::optional<Character> character = first_character(text);
+    const bool is_printable = character && character->code_point >= 0x20 && character->code_point != 0x7F;
+    const std::size_t size = character ? character->size : 1;
+    is_printable ? result += text.substr(0, size) : result += '?';
+    text.remove_prefix(size);
+  }
+  return result + '\'';
 }
 
 }  // namespace mwt

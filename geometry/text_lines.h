@@ -7,8 +7,10 @@
 
 namespace mwt {
 
-/// Walks over a text line by line. Line ends are LF or CRLF; a UTF-8 byte order mark at the start is skipped.
-/// The text must outlive this object.
+/// Without white space at both ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Walks over a text line by line. Line ends are LF or CRLF. The text must outlive this object.
 class TextLines {
  public:
   /// `source` names the text in messages.
@@ -17,11 +19,16 @@ class TextLines {
   /// Goes to the next line; false at the end.
   bool next();
 
-  /// The current line without surrounding white space.
-  [[nodiscard]] std::string_view line() const { return line_; }
+  /// The current line without surrounding white space, and with it.
+  [[nodiscard]] std::string_view line() const { return trimmed(whole_line_); }
+  [[nodiscard]] std::string_view whole_line() const { return whole_line_; }
+
+  /// Of the current line, from 1.
+  [[nodiscard]] std::size_t number() const { return number_; }
 
   /// Throws InputError "source:line: what".
-  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail(const std::string& what) const { fail_at(number_, what); }
+  [[noreturn]] void fail_at(std::size_t number, const std::string& what) const;
 
   /// Throws InputError "source: what", for what no single line is to blame for.
   [[noreturn]] void fail_as_a_whole(const std::string& what) const;
@@ -29,12 +36,9 @@ class TextLines {
  private:
   std::string source_;
   std::string_view rest_;
-  std::string_view line_;
+  std::string_view whole_line_;
   std::size_t number_ = 0;
 };
-
-/// Without spaces, tabs and carriage returns at both ends.
-[[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// ASCII letters in lower case.
 [[nodiscard]] std::string lower_case(std::string_view text);
@@ -42,7 +46,8 @@ class TextLines {
 /// Splits at `separator`, trimming each column; ' ' stands for runs of white space.
 void split_columns(std::string_view line, char separator, std::vector<std::string_view>& columns);
 
-/// The text in quotes, fit for a message of one line: long ones are cut, control characters replaced.
+/// The text in quotes, fit for a message of one line: long ones are cut, control characters and bytes that are no UTF-8
+/// replaced.
 [[nodiscard]] std::string shown(std::string_view text);
 
 }  // namespace mwt

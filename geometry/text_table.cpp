@@ -1,51 +1,58 @@
 #include "geometry/text_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "geometry/cell_text.h"
 #include "geometry/number_text.h"
 
 namespace mwt {
 
-namespace {
-
-std::string_view without_quotes(std::string_view text) {
-  if (text.size() >= 2 && text.front() == text.back() && (text.front() == '"' || text.front() == '\'')) {
-    return text.substr(1, text.size() - 2);
-  }
-  return text;
-}
-
-// Blanks alone separate "1 2"; with a comma or semicolon anywhere in the line, that is the separator.
-char separator_of(std::string_view line, const TextLines& lines) {
-  const bool comma = line.find(',') != std::string_view::npos;
-  const bool semicolon = line.find(';') != std::string_view::npos;
-  if (comma && semicolon) lines.fail("both commas and semicolons; write x,y with decimal points");
-  return comma ? ',' : semicolon ? ';' : ' ';
-}
-
-}  // namespace
-
 TextTable::TextTable(std::string source, std::string_view text) : lines_(std::move(source), text) {
   if (!read_row()) return;
-  const bool has_number = std::any_of(columns_.begin(), columns_.end(),
-                                      [](std::string_view column) { return parse_number(column).has_value(); });
+  if (is_header()) {
+    adopt_header();
+    return;
+  }
+  remove_outer_tabs();
   width_ = columns_.size();
-  row_is_ready_ = has_number;
-  if (has_number) return;
+  row_is_ready_ = true;
+}
+
+bool TextTable::is_header() const {
+  const auto can_be_in_header = [](std::string_view cell) {
+    return cell.empty() || is_column_name(without_quotes(cell));
+  };
+  const auto is_filled = [](std::string_view cell) { return !cell.empty(); };
+  const auto is_number = [](std::string_view cell) { return parse_number(cell).has_value(); };
+  const bool has_names = std::any_of(columns_.begin(), columns_.end(), is_filled);
+  if (has_names && std::all_of(columns_.begin(), columns_.end(), can_be_in_header)) return true;
+  if (!has_names) fail("the first row is empty; leave it out, or write numbers");
+  if (std::any_of(columns_.begin(), columns_.end(), is_number)) return false;
+  fail(not_a_number(*std::find_if_not(columns_.begin(), columns_.end(), can_be_in_header)));
+}
+
+void TextTable::adopt_header() {
   for (const std::string_view name : columns_) header_.push_back(lower_case(without_quotes(name)));
+  header_line_ = lines_.number();
+  width_ = columns_.size();
 }
 
 std::optional<std::size_t> TextTable::column_named(std::string_view name) const {
   const auto place = std::find(header_.begin(), header_.end(), name);
   if (place == header_.end()) return std::nullopt;
+  if (std::find(place + 1, header_.end(), name) != header_.end()) {
+    fail_in_header("two columns are called " + shown(name) + "; keep one name");
+  }
   return static_cast<std::size_t>(place - header_.begin());
 }
 
 bool TextTable::next_row() {
-  if (!std::exchange(row_is_ready_, false) && !read_row()) return false;
+  if (!std::exchange(row_is_ready_, false)) {
+    if (!read_row()) return false;
+    if (header_.empty()) remove_outer_tabs();
+  }
   require_equal_width();
   return true;
 }
@@ -53,15 +60,21 @@ bool TextTable::next_row() {
 // The next line that is neither blank nor only a comment.
 bool TextTable::read_row() {
   while (lines_.next()) {
-    const std::string_view line = trimmed(lines_.line().substr(0, lines_.line().find('#')));
-    if (line.empty()) continue;
-    split_columns(line, separator_of(line, lines_), columns_);
-    return true;
+    if (splitter_.split(lines_, columns_)) return true;
   }
   return false;
 }
 
-void TextTable::require_equal_width() {
+// Tabs that indent a line or end it. With a header they are empty cells.
+void TextTable::remove_outer_tabs() {
+  if (splitter_.separator() != '\t') return;
+  while (columns_.size() > 1 && columns_.back().empty()) columns_.pop_back();
+  const auto first =
+      std::find_if(columns_.begin(), columns_.end(), [](std::string_view cell) { return !cell.empty(); });
+  columns_.erase(columns_.begin(), first);
+}
+
+void TextTable::require_equal_width() const {
   if (columns_.size() == width_) return;
   fail(std::to_string(columns_.size()) + (columns_.size() == 1 ? " column" : " columns") + " where " +
        (header_.empty() ? "the first row has " : "the header has ") + std::to_string(width_) +
@@ -71,21 +84,22 @@ void TextTable::require_equal_width() {
 double TextTable::number(std::size_t column) const {
   const std::string_view text = columns_[column];
   const std::optional<double> value = parse_number(text);
-  if (text.empty()) fail("column " + std::to_string(column + 1) + " is empty; write a number");
-  if (!value) fail(shown(text) + " is not a number; write one such as 1.5 or 2e-3");
+  if (text.empty()) {
+    const std::string name = header_.empty() ? "" : " (" + header_[column] + ")";
+    fail("column " + std::to_string(column + 1) + name + " is empty; write a number");
+  }
+  if (!value) fail(not_a_number(text));
   if (!std::isfinite(*value)) fail(shown(text) + " is not a finite double; leave the row out or scale the data down");
   return *value;
 }
 
 Index TextTable::index(std::size_t column) const {
   const std::string_view text = columns_[column];
-  Index value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || value == kNoIndex) {
+  const std::optional<Index> value = parse_whole_number<Index>(text);
+  if (!value || *value == kNoIndex) {
     fail(shown(text) + " is not the index of a point; points are numbered 0, 1, 2, ...");
   }
-  return value;
+  return *value;
 }
 
 }  // namespace mwt

@@ -7,17 +7,17 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/line_splitter.h"
 #include "geometry/point.h"
 #include "geometry/text_lines.h"
 
 namespace mwt {
 
-/// Reads a table row by row. Columns are separated by commas, by semicolons or by white space (a line with both commas
-/// and semicolons is ambiguous: an error). `#` starts a comment, blank lines do not count. If no column of the first
-/// row is a number, that row is the header. All rows have equally many columns, and as many as the header if there is
-/// one.
+/// Reads a table row by row, lines split by geometry/line_splitter.h; blank lines do not count. If all cells of the
+/// first row are names (geometry/cell_text.h) or empty, that row is the header. All rows have equally many columns, and
+/// as many as the header if there is one. Without a header, tabs at both ends of a line are blanks.
 ///
-/// Throws InputError "source:line: what; remedy".
+/// Throws InputError "source:line: what; remedy": also for a first row without any number that is no header.
 class TextTable {
  public:
   /// The text must outlive the table.
@@ -26,7 +26,7 @@ class TextTable {
   /// The header's names in lower case, without quotes; empty if there is none.
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
 
-  /// The place of a name in the header.
+  /// The place of a name in the header. Throws InputError if the header has it twice.
   [[nodiscard]] std::optional<std::size_t> column_named(std::string_view name) const;
 
   /// Goes to the next row of numbers; false at the end.
@@ -39,14 +39,20 @@ class TextTable {
   [[nodiscard]] Index index(std::size_t column) const;
 
   [[noreturn]] void fail(const std::string& what) const { lines_.fail(what); }
+  [[noreturn]] void fail_in_header(const std::string& what) const { lines_.fail_at(header_line_, what); }
   [[noreturn]] void fail_as_a_whole(const std::string& what) const { lines_.fail_as_a_whole(what); }
 
  private:
-  bool read_row();
-  void require_equal_width();
+  [[nodiscard]] bool read_row();
+  [[nodiscard]] bool is_header() const;
+  void adopt_header();
+  void remove_outer_tabs();
+  void require_equal_width() const;
 
   TextLines lines_;
+  LineSplitter splitter_;
   std::vector<std::string> header_;
+  std::size_t header_line_ = 0;
   std::vector<std::string_view> columns_;
   std::size_t width_ = 0;      // columns of every row, 0 before the first
   bool row_is_ready_ = false;  // the first row was read ahead to look for a header

@@ -6,6 +6,7 @@
 #include "geometry/input_file.h"
 #include "geometry/number_text.h"
 #include "geometry/output_file.h"
+#include "geometry/text_file.h"
 #include "geometry/text_table.h"
 
 namespace mwt {
@@ -37,8 +38,8 @@ std::array<std::size_t, kCorners> find_columns(const TextTable& table) {
 
 template <std::size_t kCorners>
 std::vector<Corners<kCorners>> read_corners(const std::string& path, const std::string& what) {
-  const std::string text = read_file(path);
-  TextTable table(path == "-" ? "standard input" : path, text);
+  const std::string text = read_text_file(path);
+  TextTable table(source_name(path), text);
   std::vector<Corners<kCorners>> rows;
   std::array<std::size_t, kCorners> columns{};
   while (table.next_row()) {
