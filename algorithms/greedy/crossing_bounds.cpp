@@ -23,7 +23,7 @@ double cross(const Vector& p, const Vector& q) {
   return p.x * q.y - p.y * q.x;
 }
 
-// Either errs by less.
+// Each bound's error is smaller than this margin.
 template <class Vector>
 double error(const Vector& p, const Vector& q) {
   return kMargin * (p.squared_length + q.squared_length);
@@ -51,7 +51,7 @@ bool CrossingBounds::is_promising(std::span<const MeshEdge> face) {
   return 4 * certain >= 3 * samples;
 }
 
-// Whether no pair of spokes at either end stands against e; those of a large star are not asked.
+// Whether no pair of spokes at either end rules e out; spokes of a large star are not examined.
 bool CrossingBounds::seems_certain(MeshEdge e) {
   for (const Halfedge h : {2 * e, 2 * e + 1}) {
     std::size_t degree = 1;

@@ -30,7 +30,7 @@ struct AlgorithmChoice {
   std::vector<std::string> families{};  ///< run on these alone; empty: on all of the study
 };
 
-/// An exact algorithm that may be asked for the optimum of an instance.
+/// An exact algorithm that may compute the optimum of an instance.
 struct OptimumSource {
   std::string algorithm;
   std::optional<Index> largest_n;  ///< at most the registry's
@@ -61,7 +61,7 @@ struct Study {
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;
-  std::vector<OptimumSource> optimum_sources;  ///< asked in this order; empty: every exact algorithm of the registry
+  std::vector<OptimumSource> optimum_sources;  ///< run in this order; empty: every exact algorithm of the registry
 };
 
 /// Reads a study file. A parameter whose value is a list stands for one choice per element; several lists multiply.

@@ -26,7 +26,7 @@ std::string place_of(const std::string& file, const toml::source_region& source)
   return file + ':' + std::to_string(source.begin.line);
 }
 
-// A table of the file whose keys are asked for one by one; what was not asked for is an error in the end.
+// A table of the file whose keys are read one by one; a key that nothing read is an error in the end.
 class TableReader {
  public:
   TableReader(std::string file, const toml::table& table, std::string title)

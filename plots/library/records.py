@@ -11,7 +11,7 @@ RANDOM_FAMILIES = ("uniform", "normal", "clustered")
 
 
 class Results:
-    """A results folder. Tables are read when they are first asked for."""
+    """A results folder. Tables are read when they are first used."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
