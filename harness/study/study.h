@@ -70,6 +70,10 @@ struct Study {
 /// any. Names of families and algorithms are checked when the study is planned.
 [[nodiscard]] Study read_study(const std::string& path, const std::optional<std::string>& instance_folder = {});
 
+/// Whether a study of this content (of a study file, or of study.toml in results) is made to judge the source report's
+/// claims: its key `claims`. Throws InputError: not TOML.
+[[nodiscard]] bool judges_claims(const std::string& study_file);
+
 /// The path of a study: itself if it is a file or looks like a path, else a study of that name in the project's
 /// harness/studies. Throws InputError listing the known names.
 [[nodiscard]] std::string find_study_file(const std::string& name_or_path);
