@@ -1,4 +1,4 @@
-// Proved optima that outlive studies: each instance is solved once, whoever asks for its optimum.
+// Proved optima that outlive studies: each instance is solved once, for whichever study or command.
 #pragma once
 
 #include <functional>

@@ -23,7 +23,7 @@ double cross(const Vector& p, const Vector& q) {
   return p.x * q.y - p.y * q.x;
 }
 
-// The error of either is smaller than this, also where their products underflow.
+// Each bound's error is smaller than this margin, also where the products underflow.
 template <class Vector>
 double error(const Vector& p, const Vector& q) {
   return kMargin * (p.squared_length + q.squared_length) + kSmallestTrustedProduct;
@@ -51,7 +51,7 @@ bool CrossingBounds::is_promising(std::span<const MeshEdge> face) {
   return 4 * certain >= 3 * samples;
 }
 
-// Whether no pair of spokes at either end stands against e; those of a large star are not asked.
+// Whether no pair of spokes at either end rules e out; spokes of a large star are not examined.
 bool CrossingBounds::seems_certain(MeshEdge e) {
   for (const Halfedge h : {2 * e, 2 * e + 1}) {
     std::size_t degree = 1;

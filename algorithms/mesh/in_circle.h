@@ -1,4 +1,4 @@
-// Whether a point lies inside a circle, filtered for speed: the Delaunay construction asks ten times per point.
+// Whether a point lies inside a circle, filtered for speed: the Delaunay construction calls it ten times per point.
 #pragma once
 
 #include <cmath>

@@ -27,7 +27,7 @@ struct BenchmarkCell {
 };
 
 /// Every algorithm on every family at n = 10, 100, ... up to `largest_n` and to what both sensibly take; named
-/// instances at their n. With default parameters, and with those of a few variants that are often asked for.
+/// instances at their n. With default parameters, and with those of a few common variants.
 [[nodiscard]] std::vector<BenchmarkCell> benchmark_cells(const Catalogue& catalogue, Index largest_n);
 
 /// A cell ready to be timed.

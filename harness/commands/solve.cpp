@@ -74,7 +74,7 @@ FoundOptimum cached(const CachedOptimum& earlier, const AlgorithmInfo& solver) {
 }
 
 // What is known besides what the solution itself certifies. If that is the optimum, nothing more is sought, and it goes
-// into the cache; and an exact algorithm that did not prove it is not asked again.
+// into the cache; and an exact algorithm that did not prove it is not run again.
 FoundOptimum optimum_beyond(const Catalogue& catalogue, const Instance& instance, const Request& request,
                             const Execution& execution, const Interval& weight, const Options& options) {
   std::optional<OptimumCache> cache = open_cache(options);
@@ -157,7 +157,7 @@ void print(const Options& options, const SolveReport& report) {
 
 int solve(const Options& options) {
   const Catalogue catalogue = Catalogue::built_in();
-  static_cast<void>(catalogue.algorithm(options.algorithm));  // a wrong name is said before a large file is read
+  static_cast<void>(catalogue.algorithm(options.algorithm));  // an unknown name is reported before a large file is read
   const std::vector<Point> input = read_points(options.points);
   const Instance instance = make_instance(input, options.points);
   const Request request = make_request(options, catalogue, instance, input);
@@ -182,8 +182,8 @@ void declare(CommandOptions& declared, Options& options) {
   declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
   declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
   declared.positive("--threads", options.threads, "threads that the algorithm may use");
-  declared.positive("--time-limit", options.time_limit_s, "seconds after which the best so far is wanted");
-  declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to tell alpha");
+  declared.positive("--time-limit", options.time_limit_s, "return the best result found within this many seconds");
+  declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to compute alpha");
   declared.flag("--no-cache", options.no_cache, "seek that optimum anew; leave the optimum cache alone");
   declared.flag("--json", options.json, "print one JSON object");
   declared.option("--triangles", options.triangles,

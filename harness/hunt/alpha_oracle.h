@@ -9,7 +9,7 @@
 
 namespace mwt {
 
-/// The exact algorithm that a hunt for n points asks: subset_dp as long as it takes less than a millisecond, then
+/// The exact algorithm that a hunt for n points uses: subset_dp as long as it takes less than a millisecond, then
 /// exact. Precondition: n >= 3.
 [[nodiscard]] const AlgorithmInfo& solver_for_hunt(const Catalogue& catalogue, Index n);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "geometry/error.h"
@@ -216,6 +217,7 @@ std::vector<std::string> documented_columns(const std::string& file) {
 TEST(SummaryFiles, TheSchemaPageListsExactlyTheColumnsInTheirOrder) {
   EXPECT_EQ(parse_csv(summary_csv("s", {})).front(), documented_columns("summary.csv"));
   EXPECT_EQ(parse_csv(exponents_csv("s", {})).front(), documented_columns("exponents.csv"));
+  EXPECT_EQ(parse_csv(ratings_csv("s", {})).front(), documented_columns("ratings.csv"));
 }
 
 TEST(SummaryFiles, RowsHaveTheValues) {
@@ -226,12 +228,18 @@ TEST(SummaryFiles, RowsHaveTheValues) {
   EXPECT_EQ(rows[1][6], "wall_time_s");
   EXPECT_EQ(rows[2][6], "alpha");
   EXPECT_EQ(parse_csv(summary_csv("s", summarise(cells))).size(), 7u);
+  std::vector<RunRecord> runs = {ok_run("sweep", 10, 1, 1, 1.25), failed_run("sweep", RunStatus::timeout)};
+  runs.front().run_id = "r";
+  const std::vector<CsvRow> ratings = parse_csv(ratings_csv("s", runs));
+  ASSERT_EQ(ratings.size(), 2u) << "of runs that are ok";
+  EXPECT_EQ((CsvRow{ratings[1].begin() + 2, ratings[1].end()}), (CsvRow{"r", "proved", "1.25", "1.25", "no"}));
 }
 
 TEST(Report, EveryPartWorksOnAStudysFolder) {
   const testing::TestFolder folder;
   StudyRecords records;
   records.runs = power_law_runs();
+  records.study_file = "claims = true\n";
   write_records(folder.path("out"), records);
   const ReportData data = read_report_data(folder.path("out"));
   std::ostringstream tables, results;
@@ -241,6 +249,19 @@ TEST(Report, EveryPartWorksOnAStudysFolder) {
   EXPECT_NE(results.str().find("the source report's claims"), std::string::npos);
   EXPECT_EQ(parse_csv(testing::read_text(folder.path("out/summary.csv"))).size(), 7u);
   EXPECT_EQ(parse_csv(testing::read_text(folder.path("out/exponents.csv"))).size(), 3u);
+}
+
+TEST(Report, ClaimsAreJudgedByStudiesMadeForThemOnly) {
+  const testing::TestFolder folder;
+  StudyRecords records;
+  records.runs = power_law_runs();
+  write_records(folder.path("out"), records);
+  testing::write_text(folder.path("out/claims.csv"), "left by an earlier report\n");
+  std::ostringstream results;
+  for (const ReportPart& part : report_results()) part(read_report_data(folder.path("out")), results);
+  EXPECT_EQ(results.str().find("claims"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("out/claims.csv")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/ratings.csv")));
 }
 
 TEST(Report, ManyFailuresAreFewLines) {

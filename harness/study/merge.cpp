@@ -34,7 +34,7 @@ std::string label_of(const PlannedRun& run, const Plan& plan) {
          plan.instances[run.instance].label() + " repetition=" + std::to_string(run.repetition);
 }
 
-// A study that still runs would be told as a gap: the lock tells it as what it is.
+// A study that still runs would look like a gap: its lock shows that it runs.
 std::vector<Part> read_parts(const MergeOptions& options) {
   std::vector<Part> parts;
   for (const std::string& folder : options.folders) {

@@ -26,7 +26,7 @@ std::string place_of(const std::string& file, const toml::source_region& source)
   return file + ':' + std::to_string(source.begin.line);
 }
 
-// A table of the file whose keys are asked for one by one; what was not asked for is an error in the end.
+// A table of the file whose keys are read one by one; a key that nothing read is an error in the end.
 class TableReader {
  public:
   TableReader(std::string file, const toml::table& table, std::string title)
@@ -263,6 +263,8 @@ Study read_root(const std::string& path, const toml::table& root) {
   reader.read_count("threads", study.threads);
   reader.read_positive("min_time_s", study.min_time_s);
   reader.read_flag("yardstick", study.measures_yardstick);
+  bool for_reports = false;  // which read it with judges_claims()
+  reader.read_flag("claims", for_reports);
   read_families(reader, study);
   read_algorithms(reader, study);
   read_section(reader, "limits", [&](TableReader& section) { read_limits(section, study.limits); });
@@ -292,6 +294,14 @@ Study read_study(const std::string& path, const std::optional<std::string>& inst
     return study;
   } catch (const toml::parse_error& error) {
     throw InputError(place_of(path, error.source()) + ": not valid TOML: " + one_line(error.description()));
+  }
+}
+
+bool judges_claims(const std::string& study_file) {
+  try {
+    return toml::parse(study_file)["claims"].value_or(false);
+  } catch (const toml::parse_error& error) {
+    throw InputError("study.toml: not valid TOML: " + one_line(error.description()));
   }
 }
 

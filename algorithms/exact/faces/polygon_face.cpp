@@ -99,7 +99,7 @@ void PolygonFaceSolver::collect_positions_of_vertices() {
   std::sort(positions_.begin(), positions_.end());
 }
 
-// Those who ask come in the order of the corner's candidates, so that the search goes on where it found the last one.
+// Callers visit candidates in corner order, so the search continues where it found the last one.
 bool PolygonFaceSolver::leads_back(Position position, Index partner) {
   const Corner& corner = corners_[position];
   std::uint32_t& passed = passed_[position];

@@ -101,7 +101,7 @@ class PolygonFaceSolver {
 
   std::span<const Corner> corners_;
   std::vector<std::pair<Index, Position>> positions_;  // of the vertices, sorted; large faces only
-  std::vector<std::uint32_t> passed_;                  // by position: its candidates before the last one asked for
+  std::vector<std::uint32_t> passed_;                  // by position: its candidates up to the last one found
 
   // Cells (i, j), i < j, row by row, ascending j: boundary edges and candidates.
   std::vector<Cell> first_;
