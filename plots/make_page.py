@@ -9,7 +9,9 @@ import argparse
 import os
 import pathlib
 import re
+import shlex
 import tomllib
+import urllib.parse
 
 import matplotlib.pyplot as plt
 import pandas as pd
@@ -216,6 +218,11 @@ def instance_folder(results):
     return os.path.normpath(os.path.join("harness/studies", folder)) + "/"
 
 
+def file_path(parameters, folder):
+    """The path of the file that "file=NAME" names, as a shell takes it."""
+    return shlex.quote(folder + urllib.parse.unquote(parameters.removeprefix("file=")))
+
+
 def runs_table(page, results, claim_rows):
     runs = results.runs.reset_index(drop=True)
     files = instance_folder(results)
@@ -243,7 +250,7 @@ def runs_table(page, results, claim_rows):
             run.algorithm,
             START_FILE.sub(r"start=harness/studies/\1", run.params),
             run.generator,
-            run.generator_params.replace("file=", files),
+            file_path(run.generator_params, files) if run.generator == "file" else run.generator_params,
             run.n,
             run.seed,
             run.status,

@@ -2,10 +2,11 @@
 import functools
 import pathlib
 import sys
+import urllib.parse
 
 import pandas as pd
 
-KNOWN_SCHEMAS = {1, 2}
+KNOWN_SCHEMAS = {1, 2, 3}
 TEXT_COLUMNS = ("params", "generator_params", "message", "counters", "phases", "triangulation_count", "optimum_note")
 RANDOM_FAMILIES = ("uniform", "normal", "clustered")
 
@@ -35,7 +36,8 @@ class Results:
         runs["label"] = labels(runs["algorithm"], runs["params"])
         runs["family"] = labels(runs["generator"], runs["generator_params"])
         is_file = runs["generator"] == "file"
-        runs.loc[is_file, "family"] = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
+        names = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
+        runs.loc[is_file, "family"] = names.map(urllib.parse.unquote)  # blanks are written as in a URL
         return runs
 
     @functools.cached_property
