@@ -19,6 +19,8 @@ namespace mwt {
 namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+constexpr std::string_view kTemporaryBegin = ".mwt-";
+constexpr std::string_view kTemporaryEnd = ".tmp";
 
 // The file to be replaced: links followed, so that the link itself survives.
 std::string resolved(const std::string& path) {
@@ -30,7 +32,9 @@ std::string resolved(const std::string& path) {
 // A name in the same folder (a rename cannot cross file systems), unlike any other run's or thread's.
 std::string temporary_name(const std::string& target) {
   static std::atomic<unsigned> counter{0};
-  const std::string name = ".mwt-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+  std::string name(kTemporaryBegin);
+  name += std::to_string(::getpid()) + '-' + std::to_string(counter++);
+  name += kTemporaryEnd;
   return std::filesystem::path(target).replace_filename(name).string();
 }
 
@@ -131,6 +135,10 @@ void OutputFile::fail(int error) const {
     case EDQUOT: throw InputError(place + ": cannot be written: the disk is full; free some space and run again");
     default: throw InputError(place + ": cannot be written: " + std::generic_category().message(error));
   }
+}
+
+bool is_temporary_name(std::string_view file_name) {
+  return file_name.starts_with(kTemporaryBegin) && file_name.ends_with(kTemporaryEnd);
 }
 
 void write_file_atomically(const std::string& path, std::string_view content) {

@@ -41,6 +41,9 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
+/// Whether a file of this name is the temporary one of a writer, or what a killed one left.
+[[nodiscard]] bool is_temporary_name(std::string_view file_name);
+
 /// The simple case: all at once.
 void write_file_atomically(const std::string& path, std::string_view content);
 

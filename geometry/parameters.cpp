@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 #include "geometry/error.h"
 
@@ -63,22 +64,105 @@ Parameters::Parameters(const std::string& owner, const std::vector<ParameterInfo
 
 std::int64_t Parameters::integer(const std::string& name) const {
   std::int64_t value = 0;
-  if (!parses_as(values_.at(name), value)) throw InputError("parameter " + name + " is not an integer");
+  if (!parses_as(value_of(name), value)) throw InputError("parameter " + name + " is not an integer");
   return value;
 }
 
 double Parameters::real(const std::string& name) const {
   double value = 0;
-  if (!parses_as(values_.at(name), value)) throw InputError("parameter " + name + " is not a number");
+  if (!parses_as(value_of(name), value)) throw InputError("parameter " + name + " is not a number");
   return value;
 }
 
-const std::string& Parameters::text(const std::string& name) const { return values_.at(name); }
+const std::string& Parameters::text(const std::string& name) const { return value_of(name); }
+
+const std::string& Parameters::value_of(const std::string& name) const {
+  const auto entry = values_.find(name);
+  if (entry != values_.end()) return entry->second;
+  std::vector<std::string> declared;
+  for (const auto& [known, value] : values_) declared.push_back(known);
+  throw std::out_of_range("its code asks for a parameter '" + name + "' that its entry does not declare; it declares " +
+                          (declared.empty() ? "none" : joined(declared)));
+}
 
 std::string Parameters::canonical() const {
   std::string text;
-  for (const auto& [name, value] : values_) text += (text.empty() ? "" : " ") + name + "=" + value;
+  for (const auto& [name, value] : values_) {
+    if (!text.empty()) text += ' ';
+    text += canonical_parameter(name, value);
+  }
   return text;
+}
+
+namespace {
+
+// Bytes of the UTF-8 character at `position`, 1 to 4; 0 if there is none. Overlong forms count as characters: they do
+// no harm in a name.
+std::size_t utf8_length(std::string_view text, std::size_t position) {
+  const auto lead = static_cast<unsigned char>(text[position]);
+  const std::size_t length = lead < 0x80   ? 1
+                             : lead < 0xc2 ? 0
+                             : lead < 0xe0 ? 2
+                             : lead < 0xf0 ? 3
+                             : lead < 0xf5 ? 4
+                                           : 0;
+  if (position + length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((static_cast<unsigned char>(text[position + i]) & 0xc0) != 0x80) return 0;
+  }
+  return length;
+}
+
+void append_escaped(std::string& text, char c) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  const auto byte = static_cast<unsigned char>(c);
+  text += '%';
+  text += kDigits[byte >> 4];
+  text += kDigits[byte & 15];
+}
+
+std::string unescaped(std::string_view text) {
+  std::string value;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned byte = 0;
+    const char* const digits = text.data() + i + 1;
+    const bool is_escape =
+        text[i] == '%' && i + 2 < text.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    value += is_escape ? static_cast<char>(byte) : text[i];
+    if (is_escape) i += 2;
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string canonical_parameter(const std::string& name, const std::string& value) {
+  std::string text = name + '=';
+  for (std::size_t i = 0; i < value.size();) {
+    const std::size_t length = utf8_length(value, i);
+    const bool is_special = static_cast<unsigned char>(value[i]) <= ' ' || value[i] == '\x7f' || value[i] == '%';
+    if (length == 0 || is_special) {
+      append_escaped(text, value[i++]);
+    } else {
+      text.append(value, i, length);
+      i += length;
+    }
+  }
+  return text;
+}
+
+std::map<std::string, std::string> parse_canonical(std::string_view text) {
+  std::map<std::string, std::string> values;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view parameter = text.substr(0, end);
+    const std::size_t equals = parameter.find('=');
+    if (equals != std::string_view::npos) {
+      values[std::string(parameter.substr(0, equals))] = unescaped(parameter.substr(equals + 1));
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return values;
 }
 
 }  // namespace mwt

@@ -2,6 +2,8 @@
 import os
 import pathlib
 import re
+import shlex
+import urllib.parse
 
 import pandas as pd
 
@@ -95,6 +97,11 @@ def instance_folder(results):
     return os.path.normpath(os.path.join(study_folder(results), folder)) + "/"
 
 
+def file_path(parameters, folder):
+    """The path of the file that "file=NAME" names, as a shell takes it."""
+    return shlex.quote(folder + urllib.parse.unquote(parameters.removeprefix("file=")))
+
+
 def sorted_runs(results):
     """Failed runs first, then usual families, large sizes, and the algorithms from the crude to the exact."""
     runs = results.runs
@@ -145,7 +152,7 @@ def parameter_columns():
 def parameter_cells(results, run):
     return [
         START_FILE.sub(rf"start={study_folder(results)}/\1", run.params),
-        run.generator_params.replace("file=", instance_folder(results)),
+        file_path(run.generator_params, instance_folder(results)) if run.generator == "file" else run.generator_params,
     ]
 
 

@@ -36,12 +36,13 @@ struct PreparedCell {
   Request request;
   std::optional<Interval> alpha;  ///< where an optimum is cheap: up to kLargestRatedN points
   std::string reason_to_skip;     ///< not empty: the algorithm or the family does not take this n, or the
-                                  ///< algorithm's output is wrong
+                                  ///< algorithm's output or certified bound is wrong
 };
 inline constexpr Index kLargestRatedN = 100'000;
 
 /// Generates the instance (seed 1), runs the algorithm once, checks its output, and looks for the optimum with the
-/// exact algorithms, half a minute each; once per instance.
+/// exact algorithms, half a minute each; once per instance. A bound that a triangulation disproves is told on standard
+/// error and counts no more.
 [[nodiscard]] PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell);
 
 /// The processor time of the yardstick and of an algorithm, in turns, so that what else the machine does cancels.

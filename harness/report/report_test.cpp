@@ -196,11 +196,24 @@ TEST(FinalRating, WhatWasProvedLaterCountsForAll) {
   records.runs[0].optimum_lower = 0.5;
   records.runs[0].optimum_upper = 2;
   records.runs[0].optimality = "bounded";
+  records.runs[1].certified_lower = 1;
   const std::vector<RunRecord> rated = finally_rated(records);
   EXPECT_EQ(rated[0].optimality, "proved");
   EXPECT_EQ(rated[0].alpha_upper, 2);
   EXPECT_EQ(rated[0].optimal, "no");
   EXPECT_EQ(rated[1].optimal, "yes");
+}
+
+TEST(FinalRating, AClaimThatALighterTriangulationDisprovesIsTheError) {
+  StudyRecords records;
+  records.runs = {ok_run("sweep", 10, 1, 1, 2), ok_run("exact", 10, 1, 1, 1.5), ok_run("patch", 10, 1, 1, 1)};
+  records.runs[1].certified_lower = 1.5;
+  for (std::size_t i = 0; i < 3; ++i) records.runs[i].run_id = std::to_string(i);
+  const std::vector<RunRecord> rated = finally_rated(records);
+  EXPECT_EQ(rated[0].status, RunStatus::ok);
+  EXPECT_FALSE(rated[0].alpha_upper);
+  EXPECT_EQ(rated[1].status, RunStatus::error);
+  EXPECT_EQ(rated[2].status, RunStatus::ok);
 }
 
 std::vector<std::string> documented_columns(const std::string& file) {
@@ -277,9 +290,36 @@ TEST(Report, ManyFailuresAreFewLines) {
   runs.push_back(failed_run("flip", RunStatus::not_applicable));
   EXPECT_EQ(failure_table(runs),
             "failed    how      runs  first on             message\n"
-            "delaunay  timeout     1  uniform n=10 seed=0\n"
             "sweep     timeout     2  uniform n=30 seed=0  too slow\n"
+            "delaunay  timeout     1  uniform n=10 seed=0\n"
             "sweep     crashed     1  uniform n=10 seed=0\n");
+}
+
+TEST(Report, DifferentBugsAndParametersAreDifferentLines) {
+  std::vector<RunRecord> runs;
+  const auto add = [&](const std::string& params, const std::string& message) {
+    runs.push_back(failed_run("patch", RunStatus::error));
+    runs.back().params = params;
+    runs.back().message = message;
+  };
+  add("k=4", "triangle 17 has no side");
+  add("k=4", "triangle 3 has no side");
+  add("k=4", "its code asks for a parameter 'q'");
+  add("k=14", "triangle 5 has no side");
+  EXPECT_EQ(failure_table(runs),
+            "failed      how    runs  first on             message\n"
+            "patch k=4   error     2  uniform n=10 seed=0  triangle 17 has no side\n"
+            "patch k=14  error     1  uniform n=10 seed=0  triangle 5 has no side\n"
+            "patch k=4   error     1  uniform n=10 seed=0  its code asks for a parameter 'q'\n");
+}
+
+TEST(Report, ThousandsOfKindsOfFailureAreCutShort) {
+  std::vector<RunRecord> runs;
+  for (int i = 0; i < 60; ++i) {
+    runs.push_back(failed_run("patch", RunStatus::error));
+    runs.back().message = std::string(static_cast<std::size_t>(i + 1), 'x');
+  }
+  EXPECT_TRUE(failure_table(runs).ends_with("10 more kinds of failure: see runs.csv\n"));
 }
 
 TEST(Report, WithoutRecordsItIsAMistake) {

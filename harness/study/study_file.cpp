@@ -48,6 +48,9 @@ class TableReader {
     return table_.get(key);
   }
 
+  // Of a key that was found.
+  [[nodiscard]] const toml::node& value_of(const std::string& key) const { return *table_.get(key); }
+
   std::string text(const std::string& key) {
     const toml::node* node = find(key);
     if (node == nullptr) throw InputError(place_ + ": " + title_ + " needs the key '" + key + "'");
@@ -228,6 +231,20 @@ void read_optimum(TableReader& reader, Study& study) {
   });
 }
 
+// The name becomes that of a folder, and a word in messages and tables.
+std::string read_name(TableReader& reader) {
+  constexpr std::size_t kLongest = 100;
+  const std::string name = reader.text("name");
+  const auto is_plain = [](char c) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    return is_letter || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.' || c == '+';
+  };
+  const bool begins_well = !name.empty() && name.front() != '.' && name.front() != '-';
+  if (begins_well && name.size() <= kLongest && std::all_of(name.begin(), name.end(), is_plain)) return name;
+  reader.fail(reader.value_of("name"),
+              "'name' must be at most 100 letters, digits and ._+- and begin with none of .- for it names a folder");
+}
+
 // The folder counts from that of the study file.
 void read_instances(TableReader& reader, InstanceFiles& files) {
   namespace fs = std::filesystem;
@@ -238,7 +255,10 @@ void read_instances(TableReader& reader, InstanceFiles& files) {
   files.folder = (here / named).lexically_normal().string();
   reader.for_each_element("files", [&](const toml::node& node) {
     files.patterns.push_back(reader.text_of(node, "files"));
-    if (fs::path(files.patterns.back()).is_absolute()) reader.fail(node, "'files' are within 'folder': no leading /");
+    const fs::path pattern(files.patterns.back());
+    if (pattern.is_absolute()) reader.fail(node, "'files' are within 'folder': no leading /");
+    if (std::find(pattern.begin(), pattern.end(), "..") != pattern.end())
+      reader.fail(node, "'files' are within 'folder': no .. in them");
   });
   if (files.patterns.empty()) throw InputError(reader.place() + ": [instances] needs the key 'files'");
 }
@@ -255,7 +275,7 @@ void read_section(TableReader& reader, const std::string& key, const std::functi
 Study read_root(const std::string& path, const toml::table& root) {
   Study study;
   TableReader reader(path, root, "a study");
-  study.name = reader.text("name");
+  study.name = read_name(reader);
   study.summary = reader.text("summary");
   study.sizes = read_sizes(reader);
   if (reader.find("seeds") != nullptr) study.seeds = read_seeds(reader);

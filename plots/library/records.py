@@ -3,12 +3,13 @@ import functools
 import pathlib
 import sys
 import tomllib
+import urllib.parse
 
 import pandas as pd
 
 from library.style import name_of, report_first
 
-KNOWN_SCHEMAS = {1, 2}
+KNOWN_SCHEMAS = {1, 2, 3}
 TEXT_COLUMNS = (
     "params",
     "generator_params",
@@ -50,7 +51,8 @@ class Results:
         runs["label"] = labels(runs["algorithm"], runs["params"])
         runs["family"] = labels(runs["generator"], runs["generator_params"])
         is_file = runs["generator"] == "file"
-        runs.loc[is_file, "family"] = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
+        names = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
+        runs.loc[is_file, "family"] = names.map(urllib.parse.unquote)  # blanks are written as in a URL
         ratings = self._read("ratings.csv", "mwt report").set_index("run_id")
         of_runs = ratings.reindex(runs["run_id"])
         for column in ("optimality", "alpha_lower", "alpha_upper", "optimal"):
