@@ -7,7 +7,6 @@
 
 #include "geometry/error.h"
 #include "harness/environment.h"
-#include "harness/execution.h"
 #include "harness/machine_watch.h"
 #include "harness/study/interrupt.h"
 #include "harness/study/optimum_search.h"
@@ -82,7 +81,6 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   adopt_optima(session, session.folder.instances());
   adopt_optima(session, session.folder.runs());
   seek_disproved_optima_again(session);
-  prepare_timing();
   const InterruptWatch interrupt_watch;
   const MachineWatch machine_watch;
   seek_optima(session);

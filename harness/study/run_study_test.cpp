@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <sstream>
 
@@ -92,6 +93,32 @@ TEST(RunStudy, RowsOfGoodRunsAreComplete) {
   EXPECT_GT(record.triangles.value(), 0u);
   EXPECT_EQ(record.instance_id.size(), 32u);
   EXPECT_EQ(record.binary_sha256.size(), 64u);
+}
+
+Solution spin_for_100_us(Points points, Context& context) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::microseconds(100);
+  while (std::chrono::steady_clock::now() < end) {
+  }
+  return testing::solve_well(points, context);
+}
+
+// On a busy machine runs wait for the CPU, but hardly all of forty in three batches of five, and none uses more CPU time
+// than there was.
+TEST(RunStudy, CpuTimesOfShortRunsAreNotQuantised) {
+  const TestFolder folder;
+  const std::vector<AlgorithmInfo> algorithms = {testing::entry("spins", spin_for_100_us)};
+  Study study = study_of({"spins"});
+  study.min_time_s = 0.002;
+  study.repetitions = 40;
+  std::ostringstream out;
+  static_cast<void>(run_study(study, Catalogue(algorithms, generators()), {folder.path("out")}, out));
+  double largest_share = 0;
+  for (const RunRecord& record : read_runs(folder.path("out"))) {
+    const double share = record.cpu_time_s.value() / record.wall_time_s.value();
+    EXPECT_LT(share, 1.05);
+    largest_share = std::max(largest_share, share);
+  }
+  EXPECT_GT(largest_share, 0.95);
 }
 
 TEST(RunStudy, TheYardstickIsMeasuredWhereAStudyAsksForIt) {
