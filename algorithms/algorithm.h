@@ -47,6 +47,7 @@ class Context {
   std::function<void(const std::string& stage, double done)> progress;  ///< optional; done in [0, 1]
   std::vector<std::pair<std::string, double>> phases;                   ///< seconds per named phase, in order
 
+  /// Call it about once per millisecond of work; reading the clock takes some tens of nanoseconds.
   [[nodiscard]] bool deadline_passed() const { return has_passed(deadline); }
 };
 
@@ -89,7 +90,7 @@ struct AlgorithmInfo {
   std::string time;       ///< e.g. "O(n log n)"
   std::string space;
   Exactness exactness = Exactness::heuristic;
-  Index largest_n = 0;                ///< largest sensible n: studies go no further
+  Index largest_n = 0;                ///< largest sensible n: studies go no further; 0: no limit
   int version = 1;                    ///< raised whenever a change may alter results: keys cached optima
   bool convex_position_only = false;  ///< NotApplicable unless all points lie on the hull's boundary
   std::vector<ParameterInfo> parameters;

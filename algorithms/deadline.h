@@ -6,7 +6,7 @@
 
 namespace mwt {
 
-/// A moment after which the best so far is wanted; none: as long as it takes.
+/// When to return the best result found so far; none: the work takes as long as it takes.
 using Deadline = std::optional<std::chrono::steady_clock::time_point>;
 
 [[nodiscard]] inline bool has_passed(const Deadline& deadline) {

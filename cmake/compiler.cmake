@@ -1,4 +1,4 @@
-# The language, the warnings, the sanitizers: the same for every floor.
+# The language, the warnings, the sanitizers: the same for every layer.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

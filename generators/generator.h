@@ -40,9 +40,10 @@ struct GeneratorInfo {
   std::string stresses;  ///< which claim or algorithm it is aimed at
   std::string law;       ///< known optimum or growth law of alpha, or "none known"; for people
   Index smallest_n = 3;
-  Index largest_n = 0;  ///< largest n that double precision carries
-  Index fixed_n = 0;    ///< for a named instance its only n (then also smallest_n and largest_n), else 0
-  bool seeded = true;   ///< whether the seed changes the points
+  Index largest_n = 0;          ///< largest n that double precision carries
+  Index fixed_n = 0;            ///< for a named instance its only n (then also smallest_n and largest_n), else 0
+  bool seeded = true;           ///< whether the seed changes the points
+  bool repeats_points = false;  ///< whether some of the points may be equal
   std::vector<ParameterInfo> parameters;
   std::vector<GrowthLaw> growth_laws{};  ///< the measurable part of `law`
   GeneratorFunction function = nullptr;

@@ -1,7 +1,6 @@
 #include "generators/registry.h"
 
 #include "generators/annulus/annulus.h"
-#include "generators/arguments.h"
 #include "generators/circle/circle.h"
 #include "generators/cluster_in_triangle/cluster_in_triangle.h"
 #include "generators/clustered/clustered.h"
@@ -13,6 +12,7 @@
 #include "generators/fan/fan.h"
 #include "generators/far_from_origin/far_from_origin.h"
 #include "generators/flip_corridor/flip_corridor.h"
+#include "generators/generation.h"
 #include "generators/greedy_corridor/greedy_corridor.h"
 #include "generators/greedy_ratio/greedy_ratio.h"
 #include "generators/grid/grid.h"
@@ -95,8 +95,7 @@ const GeneratorInfo& find_generator(const std::string& name) {
 std::vector<Point> generate(const std::string& family, Index n, std::uint64_t seed,
                             const std::map<std::string, std::string>& parameters) {
   const GeneratorInfo& entry = find_generator(family);
-  require_size(family, n, entry.smallest_n, entry.largest_n);
-  return entry.function(n, seed, Parameters(family, entry.parameters, parameters));
+  return generate_verified(entry, n, seed, Parameters(family, entry.parameters, parameters));
 }
 
 }  // namespace mwt

@@ -15,7 +15,7 @@ namespace mwt {
 /// The family of that name; InputError lists the known names otherwise.
 [[nodiscard]] const GeneratorInfo& find_generator(const std::string& name);
 
-/// Points of a family by name, its parameters completed from their defaults. InputError as the family's function.
+/// Points of a family by name, its parameters completed from their defaults. Throws as generate_verified().
 [[nodiscard]] std::vector<Point> generate(const std::string& family, Index n, std::uint64_t seed,
                                           const std::map<std::string, std::string>& parameters = {});
 

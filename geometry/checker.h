@@ -1,4 +1,4 @@
-// The validity checker: no triangulation is believed before it has passed here.
+// The validity checker: no triangulation is used before it has passed here.
 #pragma once
 
 #include <optional>

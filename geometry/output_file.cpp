@@ -22,6 +22,8 @@ namespace mwt {
 namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+constexpr std::string_view kTemporaryBegin = ".mwt-";
+constexpr std::string_view kTemporaryEnd = ".tmp";
 
 // Endings that promise a certain format.
 constexpr std::array<std::string_view, 16> kKnownEndings = {".csv", ".tsv",  ".json", ".tsp",  ".svg", ".png",
@@ -38,7 +40,9 @@ std::string resolved(const std::string& path) {
 // A name in the same folder (a rename cannot cross file systems), unlike any other run's or thread's.
 std::string temporary_name(const std::string& target) {
   static std::atomic<unsigned> counter{0};
-  const std::string name = ".mwt-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+  std::string name(kTemporaryBegin);
+  name += std::to_string(::getpid()) + '-' + std::to_string(counter++);
+  name += kTemporaryEnd;
   return std::filesystem::path(target).replace_filename(name).string();
 }
 
@@ -165,6 +169,10 @@ void require_writable(const std::string& path) {
   // To open and close a pipe would look like the end of its data.
   if (is_standard_output(path) || (exists && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))) return;
   const OutputFile probe(path);
+}
+
+bool is_temporary_name(std::string_view file_name) {
+  return file_name.starts_with(kTemporaryBegin) && file_name.ends_with(kTemporaryEnd);
 }
 
 void write_file_atomically(const std::string& path, std::string_view content) {

@@ -56,6 +56,9 @@ void require_fitting_ending(const std::string& path, std::initializer_list<std::
 /// Throws InputError as OutputFile would, before any work is done for a file that cannot be written. Changes nothing.
 void require_writable(const std::string& path);
 
+/// Whether a file of this name is the temporary one of a writer, or what a killed one left.
+[[nodiscard]] bool is_temporary_name(std::string_view file_name);
+
 /// The simple case: all at once.
 void write_file_atomically(const std::string& path, std::string_view content);
 

@@ -1,11 +1,15 @@
 #include "geometry/parameters.h"
 
 #include <algorithm>
+#include <charconv>
 #include <limits>
+#include <optional>
+#include <stdexcept>
 
 #include "geometry/error.h"
 #include "geometry/given_number.h"
 #include "geometry/number_text.h"
+#include "geometry/unicode.h"
 
 namespace mwt {
 
@@ -63,19 +67,85 @@ Parameters::Parameters(const std::string& owner, const std::vector<ParameterInfo
 }
 
 std::int64_t Parameters::integer(const std::string& name) const {
-  return given_number("parameter " + name + "=" + values_.at(name), values_.at(name), kIntegers);
+  return given_number("parameter " + name + "=" + value_of(name), value_of(name), kIntegers);
 }
 
 double Parameters::real(const std::string& name) const {
-  return given_number("parameter " + name + "=" + values_.at(name), values_.at(name), kReals);
+  return given_number("parameter " + name + "=" + value_of(name), value_of(name), kReals);
 }
 
-const std::string& Parameters::text(const std::string& name) const { return values_.at(name); }
+const std::string& Parameters::text(const std::string& name) const { return value_of(name); }
+
+const std::string& Parameters::value_of(const std::string& name) const {
+  const auto entry = values_.find(name);
+  if (entry != values_.end()) return entry->second;
+  std::vector<std::string> declared;
+  for (const auto& [known, value] : values_) declared.push_back(known);
+  throw std::out_of_range("its code asks for a parameter '" + name + "' that its entry does not declare; it declares " +
+                          (declared.empty() ? "none" : joined(declared)));
+}
 
 std::string Parameters::canonical() const {
   std::string text;
-  for (const auto& [name, value] : values_) text += (text.empty() ? "" : " ") + name + "=" + value;
+  for (const auto& [name, value] : values_) {
+    if (!text.empty()) text += ' ';
+    text += canonical_parameter(name, value);
+  }
   return text;
+}
+
+namespace {
+
+void append_escaped(std::string& text, char c) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  const auto byte = static_cast<unsigned char>(c);
+  text += '%';
+  text += kDigits[byte >> 4];
+  text += kDigits[byte & 15];
+}
+
+std::string unescaped(std::string_view text) {
+  std::string value;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned byte = 0;
+    const char* const digits = text.data() + i + 1;
+    const bool is_escape =
+        text[i] == '%' && i + 2 < text.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2;
+    value += is_escape ? static_cast<char>(byte) : text[i];
+    if (is_escape) i += 2;
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string canonical_parameter(const std::string& name, const std::string& value) {
+  std::string text = name + '=';
+  for (std::size_t i = 0; i < value.size();) {
+    const std::optional<Character> character = first_character(std::string_view(value).substr(i));
+    const bool is_special = static_cast<unsigned char>(value[i]) <= ' ' || value[i] == '\x7f' || value[i] == '%';
+    if (!character || is_special) {
+      append_escaped(text, value[i++]);
+    } else {
+      text.append(value, i, character->size);
+      i += character->size;
+    }
+  }
+  return text;
+}
+
+std::map<std::string, std::string> parse_canonical(std::string_view text) {
+  std::map<std::string, std::string> values;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view parameter = text.substr(0, end);
+    const std::size_t equals = parameter.find('=');
+    if (equals != std::string_view::npos) {
+      values[std::string(parameter.substr(0, equals))] = unescaped(parameter.substr(equals + 1));
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return values;
 }
 
 }  // namespace mwt

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mwt {
@@ -30,18 +31,28 @@ class Parameters {
   Parameters(const std::string& owner, const std::vector<ParameterInfo>& declared,
              const std::map<std::string, std::string>& given);
 
-  /// Values by name. Asking for an undeclared name is a programming error: std::out_of_range.
+  /// Values by name. Asking for an undeclared name is a mistake in the owner's code: std::out_of_range says so.
   [[nodiscard]] std::int64_t integer(const std::string& name) const;
   [[nodiscard]] double real(const std::string& name) const;
   [[nodiscard]] const std::string& text(const std::string& name) const;
 
   [[nodiscard]] const std::map<std::string, std::string>& all() const { return values_; }
 
-  /// "k=6 start=greedy": sorted by name, empty without parameters. Identifies a configuration in records.
+  /// "k=6 start=greedy": sorted by name, empty without parameters. Identifies a configuration in records; values are
+  /// written as canonical_parameter() writes them.
   [[nodiscard]] std::string canonical() const;
 
  private:
+  [[nodiscard]] const std::string& value_of(const std::string& name) const;
+
   std::map<std::string, std::string> values_;
 };
+
+/// "name=value" without blanks: in the value, blanks, control characters, '%' and bytes that are no UTF-8 are written
+/// as in a URL, "my%20file.csv", so that blanks separate parameters and records stay text.
+[[nodiscard]] std::string canonical_parameter(const std::string& name, const std::string& value);
+
+/// The parameters of a canonical text, values as they were given.
+[[nodiscard]] std::map<std::string, std::string> parse_canonical(std::string_view text);
 
 }  // namespace mwt

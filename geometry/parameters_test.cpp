@@ -83,5 +83,24 @@ TEST(Parameters, AskingForTheWrongNameIsAProgrammingError) {
   EXPECT_THROW(static_cast<void>(given({}).integer("start")), InputError);
 }
 
+TEST(Parameters, BlanksInAValueDoNotSeparate) {
+  const std::string value = "my  file=%20\t\xff \xc3\xa9.csv";
+  EXPECT_EQ(canonical_parameter("start", value), "start=my%20%20file=%2520%09%FF%20\xc3\xa9.csv");
+  const std::map<std::string, std::string> values = {{"k", "6"}, {"start", value}};
+  EXPECT_EQ(parse_canonical("k=6 " + canonical_parameter("start", value)), values);
+  EXPECT_EQ(parse_canonical("a=%zz b= c"), (std::map<std::string, std::string>{{"a", "%zz"}, {"b", ""}}));
+}
+
+TEST(Parameters, AnUndeclaredNameIsToldAsAMistakeOfTheCode) {
+  const Parameters parameters("owner", {{"sigma", ParameterType::real, "1", ""}}, {});
+  try {
+    static_cast<void>(parameters.real("sgima"));
+    ADD_FAILURE();
+  } catch (const std::out_of_range& failure) {
+    EXPECT_EQ(std::string(failure.what()),
+              "its code asks for a parameter 'sgima' that its entry does not declare; it declares sigma");
+  }
+}
+
 }  // namespace
 }  // namespace mwt

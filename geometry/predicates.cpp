@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "geometry/double_double.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -37,8 +38,7 @@ std::optional<double> if_exact(const DoubleDouble& value) {
 std::optional<double> exact_double_product(double a, double b) {
   if (a == 0 || b == 0) return 0;
   const DoubleDouble product = exact_product(a, b);
-  const bool may_underflow = std::abs(product.high) < 1e-250;
-  return may_underflow ? std::nullopt : if_exact(product);
+  return is_trusted_product(std::abs(product.high)) ? if_exact(product) : std::nullopt;
 }
 
 int sign_of(double x) { return (x > 0) - (x < 0); }

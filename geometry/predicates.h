@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "geometry/point.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -25,8 +26,8 @@ int dot_sign_exact(const Point& a, const Point& apex, const Point& b);
   const double right = (a.y - c.y) * (b.x - c.x);
   const double determinant = left - right;
   const double magnitude = std::abs(left) + std::abs(right);
-  // Shewchuk's bound 3.33e-16 rounded up; below 1e-280 products may have underflowed, so the filter abstains there.
-  if (magnitude > 1e-280 && std::abs(determinant) > 4e-16 * magnitude && magnitude < 1e300) {
+  // Shewchuk's bound is (3 + 16 * 2^-53) 2^-53 < 3.34e-16.
+  if (std::abs(determinant) > 4e-16 * magnitude && is_trusted_product(magnitude)) {
     return determinant > 0 ? 1 : -1;
   }
   return detail::orientation_exact(a, b, c);
@@ -38,7 +39,7 @@ int dot_sign_exact(const Point& a, const Point& apex, const Point& b);
   const double ab = abx * abx + aby * aby;
   const double cd = cdx * cdx + cdy * cdy;
   // Each side errs by at most 4 rounding errors of itself: 4 * 2^-53 < 4.5e-16 of it.
-  if (std::abs(ab - cd) > 1e-15 * (ab + cd) && ab + cd > 1e-280 && ab + cd < 1e300) return ab > cd ? 1 : -1;
+  if (std::abs(ab - cd) > 1e-15 * (ab + cd) && is_trusted_product(ab + cd)) return ab > cd ? 1 : -1;
   return detail::compare_length_exact(a, b, c, d);
 }
 
@@ -47,7 +48,8 @@ int dot_sign_exact(const Point& a, const Point& apex, const Point& b);
   const double x = (a.x - apex.x) * (b.x - apex.x);
   const double y = (a.y - apex.y) * (b.y - apex.y);
   const double magnitude = std::abs(x) + std::abs(y);
-  if (magnitude > 1e-280 && std::abs(x + y) > 4e-16 * magnitude && magnitude < 1e300) return x + y > 0 ? 1 : -1;
+  // As for orientation.
+  if (std::abs(x + y) > 4e-16 * magnitude && is_trusted_product(magnitude)) return x + y > 0 ? 1 : -1;
   return detail::dot_sign_exact(a, apex, b);
 }
 

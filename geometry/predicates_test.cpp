@@ -179,7 +179,7 @@ TEST(Predicates, AgreeWithExactArithmeticOnNearTies) {
   }
 }
 
-// The inline filters answer most of the time; here the exact routines behind them are asked directly.
+// The inline filters answer most of the time; here the exact routines behind them are called directly.
 TEST(Predicates, ExactFallbacksAgreeWithExactArithmetic) {
   std::mt19937_64 random(18);
   for (int trial = 0; trial < 6000; ++trial) {

@@ -24,6 +24,12 @@ int exact_scale(Points points) {
 
 Point scaled_down(const Point& p, int e) { return {std::scalbn(p.x, -e), std::scalbn(p.y, -e)}; }
 
+Interval scaled_up(const Interval& bounds, int e) {
+  const double lower = std::scalbn(bounds.lower, e), upper = std::scalbn(bounds.upper, e);
+  return {std::scalbn(lower, -e) == bounds.lower ? lower : next_down(lower),
+          std::scalbn(upper, -e) == bounds.upper ? upper : next_up(upper)};
+}
+
 std::vector<Point> exactly_scaled(Points points) {
   std::vector<Point> result(points.begin(), points.end());
   if (const int e = exact_scale(points); e != 0) {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/interval.h"
 #include "geometry/point.h"
 
 namespace mwt {
@@ -13,7 +14,11 @@ namespace mwt {
 ///
 /// Dividing by a power of two changes no orientation, no comparison of lengths and no circle: an algorithm may work on
 /// the quotients and return what it finds. Around 1e300 and 1e-300 products over- and underflow, so that every
-/// predicate would have to fall back to multiple precision.
+/// predicate would have to fall back to multiple precision; among denormals lengths themselves lose their digits.
+///
+/// Afterwards, and with an exponent of 0, some coordinate is at least 2^-100. Unless all points lie on one line, two
+/// differ in it, and so by the spacing of doubles there, 2^-153 or more: lengths that underflow are nothing to the
+/// weight.
 [[nodiscard]] int exact_scale(Points points);
 
 /// The point divided by 2^e.
@@ -21,5 +26,9 @@ namespace mwt {
 
 /// All points divided by 2^exact_scale(points).
 [[nodiscard]] std::vector<Point> exactly_scaled(Points points);
+
+/// Bounds times 2^e: what holds of lengths between points that were divided by it. Rounded outwards where the result
+/// is denormal or overflows.
+[[nodiscard]] Interval scaled_up(const Interval& bounds, int e);
 
 }  // namespace mwt

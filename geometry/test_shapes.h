@@ -1,4 +1,4 @@
-// Small point sets for the tests of this floor: general position, lattices, collinear boundaries, extreme ranges.
+// Small point sets for the tests of this layer: general position, lattices, collinear boundaries, extreme ranges.
 #pragma once
 
 #include <algorithm>

@@ -98,6 +98,15 @@ inline Solution chat(Points points, Context& context) {
   return solve_well(points, context);
 }
 
+[[noreturn]] inline Solution fail_and_say_so(Points, Context&) {
+  std::fputs("on standard error\n", stderr);
+  throw std::runtime_error("an undeclared parameter");
+}
+
+inline Solution misspell_a_parameter(Points points, Context& context) {
+  return context.parameters.integer("kk") > 0 ? solve_well(points, context) : Solution{};
+}
+
 inline AlgorithmInfo entry(const std::string& name, AlgorithmFunction function,
                            Exactness exactness = Exactness::heuristic) {
   AlgorithmInfo info;
@@ -128,10 +137,14 @@ inline Catalogue test_catalogue() {
         entry("small", solve_well),
         entry("tuned", solve_well),
         entry("loops", loop_for_ever),
+        entry("grumbles", fail_and_say_so),
+        entry("misspells", misspell_a_parameter),
     };
     entries[12].largest_n = 5;
-    entries[13].parameters = {{"k", ParameterType::integer, "4", "a number"},
-                              {"start", ParameterType::text, "sweep", "where to begin", {"sweep", "greedy"}}};
+    for (const std::size_t i : {13, 16}) {
+      entries[i].parameters = {{"k", ParameterType::integer, "4", "a number"},
+                               {"start", ParameterType::text, "sweep", "where to begin", {"sweep", "greedy"}}};
+    }
     return entries;
   }();
   return {algorithms, generators()};

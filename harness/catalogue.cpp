@@ -1,13 +1,19 @@
 #include "harness/catalogue.h"
 
+#include <new>
+
 #include "algorithms/registry.h"
-#include "generators/arguments.h"
+#include "generators/generation.h"
 #include "generators/registry.h"
 #include "geometry/error.h"
+#include "harness/proc_file.h"
 
 namespace mwt {
 
 namespace {
+
+// The points, copies of them while they are made, checked and told apart, and their hull.
+constexpr std::uint64_t kBytesPerPoint = 100;
 
 template <class Info>
 const Info& find(std::span<const Info> entries, const std::string& kind, const std::string& name) {
@@ -33,9 +39,18 @@ const GeneratorInfo& Catalogue::generator(const std::string& name) const {
 
 std::vector<Point> generate_points(const GeneratorInfo& family, Index n, std::uint64_t seed,
                                    const Parameters& parameters) {
-  const Index largest = family.largest_n == 0 ? kMostPoints : family.largest_n;
-  require_size(family.name, n, family.smallest_n, largest);
-  return family.function(n, seed, parameters);
+  const std::uint64_t needed = kBytesPerPoint * n;
+  const std::uint64_t available = kilobytes_in("/proc/meminfo", "MemAvailable:").value_or(needed / 1024) * 1024;
+  const std::string what = family.name + " n=" + std::to_string(n);
+  if (needed > available) {
+    throw NotEnoughMemory(what + ": needs about " + std::to_string(needed >> 30) + " GB of memory, but " +
+                          std::to_string(available >> 30) + " GB are free; choose a smaller n");
+  }
+  try {
+    return generate_verified(family, n, seed, parameters);
+  } catch (const std::bad_alloc&) {
+    throw NotEnoughMemory(what + ": not enough memory for the points; choose a smaller n");
+  }
 }
 
 }  // namespace mwt

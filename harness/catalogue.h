@@ -7,6 +7,7 @@
 
 #include "algorithms/algorithm.h"
 #include "generators/generator.h"
+#include "geometry/error.h"
 
 namespace mwt {
 
@@ -30,7 +31,13 @@ class Catalogue {
   std::span<const GeneratorInfo> generators_;
 };
 
-/// Points of a family. Throws InputError naming the nearest legal n outside the family's range, and as its function.
+/// An instance is too large for this machine.
+class NotEnoughMemory : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Points of a family. Throws as generate_verified(), and NotEnoughMemory.
 [[nodiscard]] std::vector<Point> generate_points(const GeneratorInfo& family, Index n, std::uint64_t seed,
                                                  const Parameters& parameters);
 

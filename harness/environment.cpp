@@ -22,7 +22,7 @@ std::optional<double> load_1min() {
   return load;
 }
 
-// "on", "off", or nothing where the driver does not tell.
+// "on", "off", or nothing where the driver does not report it.
 std::string turbo() {
   const std::string disabled = first_line_of("/sys/devices/system/cpu/intel_pstate/no_turbo");
   if (!disabled.empty()) return disabled == "0" ? "on" : "off";

@@ -8,7 +8,7 @@
 
 namespace mwt {
 
-/// Of a study, or of a shard "i/N" of it. What the system does not tell stays empty. env_id is the hash of the rest.
+/// Of a study, or of a shard "i/N" of it. What the system does not report stays empty. env_id is the hash of the rest.
 [[nodiscard]] EnvironmentRecord describe_environment(const std::string& study, int jobs, const std::string& shard = "");
 
 /// What about the machine makes its times doubtful, one line each: load, a governor other than performance, turbo,

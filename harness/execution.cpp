@@ -1,9 +1,5 @@
 #include "harness/execution.h"
 
-#include <benchmark/benchmark.h>
-
-#include <exception>
-#include <stdexcept>
 #include <utility>
 
 #include "geometry/checker.h"
@@ -11,6 +7,7 @@
 #include "geometry/cpu_clock.h"
 #include "geometry/weight.h"
 #include "harness/peak_memory.h"
+#include "harness/repeated_timing.h"
 
 namespace mwt {
 
@@ -36,27 +33,6 @@ Solution execute(const Request& request, Points points, Context& context) {
   return request.algorithm->function(points, context);
 }
 
-// Keeps the measured times and prints nothing: standard output belongs to the records.
-class SilentReporter : public benchmark::BenchmarkReporter {
- public:
-  explicit SilentReporter(Execution& execution) : execution_(execution) {}
-
-  bool ReportContext(const Context&) override { return true; }
-
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      const double iterations = static_cast<double>(run.iterations);
-      execution_.iterations = static_cast<std::uint64_t>(run.iterations);
-      execution_.wall_time_s = run.real_accumulated_time / iterations;
-      execution_.cpu_time_s = run.cpu_accumulated_time / iterations;
-    }
-  }
-
- private:
-  Execution& execution_;
-};
-
 }  // namespace
 
 Instance make_instance(const std::vector<Point>& input, const std::string& source) {
@@ -67,51 +43,25 @@ Instance make_instance(const std::vector<Point>& input, const std::string& sourc
   return instance;
 }
 
-Execution execute_once(const Request& request, Points points) {
-  Execution execution;
-  Context context = make_context(request);
-  reset_peak_memory();
-  const double cpu_start = process_cpu_time_s();
-  const auto wall_start = Context::Clock::now();
-  execution.solution = execute(request, points, context);
-  const std::chrono::duration<double> elapsed = Context::Clock::now() - wall_start;
-  execution.cpu_time_s = process_cpu_time_s() - cpu_start;
-  execution.wall_time_s = elapsed.count();
-  execution.peak_rss_bytes = peak_memory_bytes();
-  execution.phases = std::move(context.phases);
-  return execution;
-}
-
 Execution execute_repeatedly(const Request& request, Points points, double min_time_s) {
   Execution execution;
   Context context = make_context(request);
-  std::exception_ptr failure;
-  const auto timed = [&](benchmark::State& state) {
-    try {
-      for (auto _ : state) {
+  reset_peak_memory();
+  const RepeatedTiming timing = time_repeatedly(
+      [&] {
         execution.solution = {};  // so that the peak of memory is that of one execution
         execution.solution = execute(request, points, context);
-      }
-    } catch (...) {
-      failure = std::current_exception();
-      state.SkipWithError("the algorithm threw");
-    }
-  };
-  benchmark::ClearRegisteredBenchmarks();
-  benchmark::RegisterBenchmark("run", timed)->MinTime(min_time_s)->UseRealTime()->MeasureProcessCPUTime();
-  SilentReporter reporter(execution);
-  reset_peak_memory();
-  benchmark::RunSpecifiedBenchmarks(&reporter, "run");
+      },
+      min_time_s);
+  execution.wall_time_s = timing.wall_time_s;
+  execution.cpu_time_s = timing.cpu_time_s;
+  execution.iterations = timing.executions;
   execution.peak_rss_bytes = peak_memory_bytes();
   execution.phases = std::move(context.phases);
-  if (failure) std::rethrow_exception(failure);
   return execution;
 }
 
-void prepare_timing() {
-  static_cast<void>(benchmark::CPUInfo::Get());
-  static_cast<void>(benchmark::SystemInfo::Get());
-}
+Execution execute_once(const Request& request, Points points) { return execute_repeatedly(request, points, 0); }
 
 Judgement judge(Points points, const Triangulation& triangulation) {
   Judgement judgement;

@@ -41,20 +41,15 @@ struct Execution {
   double wall_time_s = 0;
   double cpu_time_s = 0;  ///< of the whole process: all threads
   std::uint64_t peak_rss_bytes = 0;
-  std::uint64_t iterations = 1;  ///< executions over which the times are means
+  std::uint64_t iterations = 1;  ///< executions by which the times were taken
 };
 
 /// One execution. Throws what the algorithm throws; in particular NotApplicable.
 [[nodiscard]] Execution execute_once(const Request& request, Points points);
 
-/// As many executions as Google Benchmark finds needed to fill `min_time_s`: exactly one if that one is long enough.
-/// Times are means per execution; for repeated ones they include releasing the previous solution.
-/// Not reentrant: meant for a worker process of its own.
+/// As many executions as it takes to time one: exactly one if that uses `min_time_s` of CPU time, else as
+/// time_repeatedly() says. For repeated ones the times include releasing the previous solution.
 [[nodiscard]] Execution execute_repeatedly(const Request& request, Points points, double min_time_s);
-
-/// Lets the timing engine look at the machine, which takes it a millisecond: before forking processes that each would
-/// look again.
-void prepare_timing();
 
 /// What the checker and the certified sums say about a triangulation.
 struct Judgement {

@@ -49,20 +49,35 @@ bool is_proved(const Interval& interval) {
          optimality_of(interval) == Optimality::proved;
 }
 
-// Nothing unless `content` is exactly what content_of() makes of this key and a proved optimum.
-std::optional<CachedOptimum> parse(const OptimumKey& key, std::string_view content) {
+// The part of a file that its hash confirms; nothing if it does not.
+std::optional<std::string_view> confirmed_body(std::string_view content) {
   const std::size_t hash_at = content.rfind("hash ");
   if (hash_at == std::string_view::npos) return std::nullopt;
   const std::string_view body = content.substr(0, hash_at);
   if (content.substr(hash_at) != "hash " + short_hash(body) + '\n') return std::nullopt;
+  return body;
+}
+
+// Nothing unless `content` is exactly what content_of() makes of this key and a proved optimum.
+std::optional<CachedOptimum> parse(const OptimumKey& key, std::string_view content) {
+  const std::optional<std::string_view> body = confirmed_body(content);
   const std::string head = head_of(key);
-  if (!body.starts_with(head)) return std::nullopt;
-  std::string_view rest = body.substr(head.size());
+  if (!body || !body->starts_with(head)) return std::nullopt;
+  std::string_view rest = body->substr(head.size());
   const auto lower = take_number(rest, "lower ");
   const auto upper = take_number(rest, "upper ");
   const auto time = take_number(rest, "solve_time_s ");
   if (!lower || !upper || !time || !is_proved({*lower, *upper})) return std::nullopt;
   return CachedOptimum{{*lower, *upper}, *time};
+}
+
+// The lower bound in a file of any key.
+std::optional<double> lower_bound_in(std::string_view content) {
+  const std::optional<std::string_view> body = confirmed_body(content);
+  const std::size_t at = body ? body->find("\nlower ") : std::string_view::npos;
+  if (at == std::string_view::npos) return std::nullopt;
+  std::string_view rest = body->substr(at + 1);
+  return take_number(rest, "lower ");
 }
 
 // Nothing if there is no such file. Anything but a small regular file is read as no content.
@@ -78,17 +93,36 @@ std::optional<std::string> read_small_file(const std::string& path) {
   return content;
 }
 
+// What is in the folder, as far as it can be read.
+std::vector<std::filesystem::path> files_in(const std::string& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    files.push_back(entry->path());
+  }
+  return files;
+}
+
 // Removes what killed writers left (geometry/output_file.h). An hour is longer than any write takes, so that no living
 // writer loses its file.
 void sweep_stale_files(const std::string& folder) {
   namespace fs = std::filesystem;
-  std::error_code ignored;
   const auto too_old = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    const bool is_temporary = name.starts_with(".mwt-") && name.ends_with(".tmp");
-    if (is_temporary && entry.last_write_time(ignored) < too_old) fs::remove(entry.path(), ignored);
+  for (const fs::path& file : files_in(folder)) {
+    if (!is_temporary_name(file.filename().string())) continue;
+    std::error_code error;
+    const bool is_old = fs::last_write_time(file, error) < too_old;
+    if (is_old && !error) fs::remove(file, error);
   }
+}
+
+// An entry is written in the place of whatever is there but a folder with something in it; never through a link, into a
+// fifo or to a device.
+void clear_the_place(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::file_status status = fs::symlink_status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) fs::remove(path, ignored);
 }
 
 std::string variable(const char* name) {
@@ -117,11 +151,27 @@ std::string OptimumCache::path_of(const OptimumKey& key) const {
 std::optional<CachedOptimum> OptimumCache::find(const OptimumKey& key) {
   if (folder_.empty()) return std::nullopt;
   const std::string path = path_of(key);
-  const std::optional<std::string> content = read_small_file(path);
+  const std::optional<std::string> content = distrusted_.contains(path) ? std::nullopt : read_small_file(path);
   if (!content) return std::nullopt;
   const std::optional<CachedOptimum> optimum = parse(key, *content);
   if (!optimum && !std::exchange(warned_of_content_, true)) warn_(path + ": no cached optimum; ignored");
   return optimum;
+}
+
+std::vector<std::string> OptimumCache::discard_disproved(const std::string& instance_id, double weight) {
+  std::vector<std::string> disproved;
+  for (const std::filesystem::path& file : files_in(folder_)) {
+    if (!file.filename().string().starts_with(instance_id + '-')) continue;
+    const std::optional<std::string> content = read_small_file(file.string());
+    const std::optional<double> lower = content ? lower_bound_in(*content) : std::nullopt;
+    if (!lower || *lower <= weight) continue;
+    disproved.push_back(file.string());
+    std::error_code error;
+    if (std::filesystem::remove(file, error)) continue;
+    distrusted_.insert(file.string());
+    warn_(file.string() + ": a triangulation disproves it, but it cannot be removed: " + error.message());
+  }
+  return disproved;
 }
 
 void OptimumCache::store(const OptimumKey& key, const CachedOptimum& optimum) {
@@ -129,11 +179,17 @@ void OptimumCache::store(const OptimumKey& key, const CachedOptimum& optimum) {
   std::error_code reported_by_writing;
   std::filesystem::create_directories(folder_, reported_by_writing);
   if (!std::exchange(is_swept_, true)) sweep_stale_files(folder_);
+  const std::string path = path_of(key);
+  clear_the_place(path);
   try {
-    write_file_atomically(path_of(key), content_of(key, optimum));
+    write_file_atomically(path, content_of(key, optimum));
+    distrusted_.erase(path);
   } catch (const InputError& error) {
-    can_store_ = false;
-    warn_(std::string("optima are not cached: ") + error.what());
+    std::error_code ignored;
+    const bool concerns_one_entry = std::filesystem::is_directory(path, ignored);
+    const bool is_known = concerns_one_entry && std::exchange(warned_of_content_, true);
+    can_store_ = concerns_one_entry;
+    if (!is_known) warn_(std::string("optima are not cached: ") + error.what());
   }
 }
 

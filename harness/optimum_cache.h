@@ -1,9 +1,11 @@
-// Proved optima that outlive studies: each instance is solved once, whoever asks for its optimum.
+// Proved optima that outlive studies: each instance is solved once, for whichever study or command.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "geometry/interval.h"
 
@@ -38,7 +40,11 @@ struct CachedOptimum {
 /// and which the first store() of a later process removes once it is an hour old.
 ///
 /// Only proved optima are kept (Optimality::proved): they hold whatever the limits, bounds would not. A file that is
-/// torn, altered, of another key or not proved counts as absent and is replaced by the next store.
+/// torn, altered, of another key or not proved counts as absent and is replaced by the next store; so does whatever is
+/// no regular file (a fifo, a device, a link to nowhere): it is neither read nor written.
+///
+/// The hash protects from accidents, not from intent: an entry with plausible numbers whose hash was made anew is
+/// believed, as a solver's word is, until a triangulation disproves it (discard_disproved()).
 ///
 /// Nothing here fails: a folder that cannot be written means no caching. Of each kind of trouble, the first is told to
 /// `warn`, in one line. Time per access: one small file. Not thread-safe: one object per thread.
@@ -51,13 +57,20 @@ class OptimumCache {
   /// Does nothing unless the interval is proved.
   void store(const OptimumKey& key, const CachedOptimum& optimum);
 
+  /// Removes every entry of the instance, of whatever solver, version and parameters, that claims more than `weight`,
+  /// the upper end of the weight of a checked triangulation; what cannot be removed this object finds no more. Returns
+  /// their paths. Time: the folder is read once.
+  std::vector<std::string> discard_disproved(const std::string& instance_id, double weight);
+
+  /// The file that holds the entry, for messages.
+  [[nodiscard]] std::string path_of(const OptimumKey& key) const;
+
   [[nodiscard]] const std::string& folder() const { return folder_; }
 
  private:
-  [[nodiscard]] std::string path_of(const OptimumKey& key) const;
-
   std::string folder_;
   std::function<void(const std::string&)> warn_;
+  std::set<std::string> distrusted_;  // disproved, but they cannot be removed
   bool can_store_ = true;
   bool warned_of_content_ = false;
   bool is_swept_ = false;

@@ -82,6 +82,7 @@ const std::vector<Column<RunRecord>>& run_columns() {
       column("peak_rss_bytes", &R::peak_rss_bytes),
       column("weight_lower", &R::weight_lower),
       column("weight_upper", &R::weight_upper),
+      column("certified_lower", &R::certified_lower),
       column("optimum_lower", &R::optimum_lower),
       column("optimum_upper", &R::optimum_upper),
       column("optimality", &R::optimality),

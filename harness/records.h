@@ -18,7 +18,7 @@
 
 namespace mwt {
 
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
 
 /// One repetition of one algorithm on one instance. Measures are empty unless the run came to have them.
 struct RunRecord {
@@ -49,6 +49,7 @@ struct RunRecord {
   std::optional<std::uint64_t> peak_rss_bytes;
   std::optional<double> weight_lower;
   std::optional<double> weight_upper;
+  std::optional<double> certified_lower;
   std::optional<double> optimum_lower;
   std::optional<double> optimum_upper;
   std::string optimality;
@@ -64,6 +65,9 @@ struct RunRecord {
   std::string counters;
   std::optional<double> yardstick_time_s;
 };
+
+/// The optimum_note of an instance whose optimum came from the optimum cache.
+inline constexpr const char* kCachedNote = "cached";
 
 /// One instance, written when its optimum has been sought.
 struct InstanceRecord {
@@ -145,6 +149,13 @@ template <class Record>
 [[nodiscard]] std::optional<Interval> optimum_of(const Record& record) {
   if (!record.optimum_lower || !record.optimum_upper) return std::nullopt;
   return Interval{*record.optimum_lower, *record.optimum_upper};
+}
+
+/// "uniform n=100 seed=1", with the generator's parameters: the instance of a row, for messages.
+template <class Record>
+[[nodiscard]] std::string label_of_instance(const Record& record) {
+  return record.generator + (record.generator_params.empty() ? "" : ' ' + record.generator_params) +
+         " n=" + std::to_string(record.n) + " seed=" + std::to_string(record.seed);
 }
 
 /// "name=value name=value", values in their shortest form: phases and counters in one field.

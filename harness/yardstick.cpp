@@ -1,10 +1,10 @@
 #include "harness/yardstick.h"
 
 #include <algorithm>
-#include <ctime>
 #include <numeric>
 #include <vector>
 
+#include "geometry/cpu_clock.h"
 #include "geometry/delaunay.h"
 #include "harness/statistics/quantile.h"
 
@@ -15,14 +15,8 @@ namespace {
 constexpr std::size_t kMeasurements = 7;
 constexpr double kEnoughTime = 0.5;
 
-double process_cpu_time_s() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// One measurement without what other programs took, where it is long enough to have been interrupted, and for the
-/// ticks of CPU clocks, which may last milliseconds.
+/// One measurement without what other programs took, where it is long enough to have been interrupted; the median takes
+/// care of the few shorter ones that were.
 double undisturbed_measurement_s(Points points) {
   constexpr double kLongEnough = 0.01;
   const double cpu_start = process_cpu_time_s();

@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 """Drives a headless Chromium through its DevTools protocol over a pipe: for tests of pages, and for looking at them.
 
     plots/chromium.py PAGE.html OUT.png [--width 390] [--height 800] [--dark] [--scroll SELECTOR]   takes a picture

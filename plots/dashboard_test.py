@@ -109,10 +109,29 @@ class DashboardTest(PageTestCase):
         self.browser.show_as(1280, 900, dark=True)
         self.assertEqual(self.value("getComputedStyle(document.body).backgroundColor"), "rgb(22, 24, 28)")
 
-    def test_phone(self):
-        self.browser.show_as(390, 844, dark=False)
-        self.browser.open(self.page)
-        self.assertLessEqual(self.value("document.documentElement.scrollWidth"), 390, "nothing sticks out sideways")
+    def test_nothing_is_cut_off(self):
+        for width in (360, 390, 768, 1440):
+            self.assert_fits(width)
+
+    def test_every_line_has_a_scale(self):
+        charts = self.value(
+            "[...document.querySelectorAll('.sparkline .chart')].map((chart) => [...chart.querySelectorAll('span')].map((span) =>"
+            " [span.className, span.textContent]))"
+        )
+        for chart in charts:
+            named = dict(chart)
+            self.assertTrue({"high", "low"} <= set(named) or "only" in named, named)
+            self.assertNotEqual(named.get("high"), named.get("low", ""), named)
+            self.assertEqual(named["first"], "2026-01-01")
+            self.assertEqual(named["last"], "2026-02-12")
+
+    def test_a_scale_holds_what_it_shows(self):
+        self.choose("algorithm", "flip")
+        self.choose("measure", "alpha")
+        high, low = (float(self.texts(f".sparkline .{end}")[0]) for end in ("high", "low"))
+        self.assertLess(low, 1.05)
+        self.assertGreater(high, 1.05105)
+        self.assertLess(high - low, 0.01)
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ def main():
     output = pathlib.Path(arguments.output or results.folder / "figures")
     style.use_style()
     for name in names:
-        figure = figures.ALL[name].draw(results)
+        figure = figures.ALL[name].draw(results, style.WIDE)
         if figure is None:
             print(f"{name}: nothing to draw in {results.folder}")
             continue

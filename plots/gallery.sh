@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# Makes what the gallery draws, with the program itself: plots/gallery.sh MWT RESULTS_FOLDER
-#   RESULTS_FOLDER/gallery/SET.csv             the points
-#   RESULTS_FOLDER/gallery/SET.ALGORITHM.csv   the triangles of one algorithm, SET.ALGORITHM.json what mwt solve says of them
+# Makes what the gallery draws, with the program itself, after mwt report: plots/gallery.sh MWT RESULTS_FOLDER
+#   RESULTS_FOLDER/gallery/SET.csv        the points
+#   RESULTS_FOLDER/gallery/SET.NAME.csv   the triangles of one algorithm, SET.NAME.json what mwt solve says of them
 set -euo pipefail
 
 mwt=$(realpath "$1")
-studies=$(realpath "$(dirname "$0")/../harness/studies")
-mkdir -p "$2/gallery"
-cd "$2/gallery"
+plots=$(realpath "$(dirname "$0")")
+studies=$plots/../harness/studies
+results=$(realpath "$2")
+mkdir -p "$results/gallery"
+cd "$results/gallery"
+rm -f -- *.csv *.json
 
 solve() {  # solve SET NAME ALGORITHM [OPTION...]
   local set=$1 name=$2 algorithm=$3
@@ -15,7 +18,22 @@ solve() {  # solve SET NAME ALGORITHM [OPTION...]
   "$mwt" solve "$set.csv" --algorithm "$algorithm" --with-optimum --json --triangles "$set.$name.csv" "$@" >"$set.$name.json"
 }
 
-# The report's worked examples: greedy, hull insertion, and the local search flip by flip.
+# The same points triangulated by every algorithm of the study; some take special points only.
+"$mwt" generate uniform --n 60 --seed 3 -o same_points.csv
+solve same_points optimum exact
+"$plots/study_algorithms.py" "$results" 60 | while IFS=$'\t' read -r name algorithm parameters; do
+  options=()
+  for parameter in $parameters; do options+=(--param "$parameter"); done
+  if ! solve same_points "$name" "$algorithm" "${options[@]}"; then
+    rm -f -- "same_points.$name.csv" "same_points.$name.json"
+    echo "gallery: without $name" >&2
+  fi
+done
+
+# The rest illustrates the source report.
+[ -f "$results/claims.csv" ] || exit 0
+
+# Its worked examples: greedy, hull insertion, and the local search flip by flip.
 "$mwt" generate report_example -o report_example.csv
 solve report_example greedy_report greedy_report
 solve report_example hull_insertion hull_insertion
@@ -27,17 +45,13 @@ for flips in 0 1 2; do
 done
 solve local_search_figure exact exact
 
-# The step of the report's proof that fails: the hull alone weighs more than the optimum with the inner point.
+# The step of its proof that fails: the hull alone weighs more than the optimum with the inner point.
 "$mwt" generate hull_bound_counterexample -o hull_bound_counterexample.csv
 solve hull_bound_counterexample exact exact
 head -n 13 hull_bound_counterexample.csv >hull_only.csv
 solve hull_only exact exact
 
-# The same points triangulated by every algorithm, and what the quadtree's grid looks like.
-"$mwt" generate uniform --n 60 --seed 3 -o same_points.csv
-for algorithm in sweep hull_insertion quadtree delaunay flip_report greedy_report annealing patch exact; do
-  solve same_points "$algorithm" "$algorithm"
-done
+# What the quadtree's grid looks like.
 "$mwt" generate clustered --n 150 --seed 2 -o grid_points.csv
 solve grid_points quadtree quadtree
 solve grid_points exact exact

@@ -90,7 +90,8 @@ def changes_section(history):
 
 def series_section(history):
     return ('<p class="soft">One line per algorithm, family and size, all seeds together; dashed where it stepped. relative_time is the time '
-            "divided by that of CGAL’s Delaunay triangulation in the same run. Point at a line, or focus it and use the arrow keys, for commit "
+            "divided by that of CGAL’s Delaunay triangulation in the same run. Every line has a scale of its own, which need not begin at zero "
+            "and leaves single spikes out: they are cut off at its ends. Point at a line, or focus it and use the arrow keys, for commit "
             "and value.</p>"
             '<div id="series-choices" class="choices"></div><div><div id="sparklines" class="sparklines"></div></div>'
             f'<script type="application/json" id="series-data">{series_data(history)}</script>'

@@ -69,11 +69,7 @@ class PageTest(PageTestCase):
             self.assertIn(f"figure-{name}", names)
             for ending in (".svg", ".png"):
                 self.assertTrue((self.results / "figures" / (name + ending)).is_file(), name)
-        self.assertTrue(
-            self.value(
-                "[...document.querySelectorAll('figure svg')].every((svg) => svg.querySelectorAll('path').length > 5)"
-            )
-        )
+        self.assert_no_panel_is_empty()
         self.assertTrue(
             self.value("[...document.querySelectorAll('figure svg')].every((svg) => svg.getAttribute('aria-label'))")
         )
@@ -93,11 +89,11 @@ class PageTest(PageTestCase):
     def test_runs_sort(self):
         click = "[...document.querySelectorAll('#runs th button')].find((button) => button.textContent === 'n').click()"
         self.value(click)
-        ascending = [int(text) for text in self.column(5)]
+        ascending = [int(text) for text in self.column(3)]
         self.assertEqual(ascending, sorted(ascending))
         self.assertEqual(self.value("document.querySelectorAll('#runs th[aria-sort=ascending]').length"), 1)
         self.value(click)
-        descending = [int(text) for text in self.column(5)]
+        descending = [int(text) for text in self.column(3)]
         self.assertEqual(descending, sorted(descending, reverse=True))
         self.assertGreater(descending[0], ascending[0])
 
@@ -112,7 +108,7 @@ class PageTest(PageTestCase):
         self.choose("algorithm", "greedy")
         self.choose("family", "uniform")
         self.assertEqual(set(self.column(1)), {"greedy"})
-        self.assertEqual(set(self.column(3)), {"uniform"})
+        self.assertEqual(set(self.column(2)), {"uniform"})
         self.value(
             "(() => { const input = document.querySelector('#runs input'); input.value = 'nothing like it';"
             " input.dispatchEvent(new Event('input')); })()"
@@ -126,7 +122,7 @@ class PageTest(PageTestCase):
             " claim.querySelector('a[data-set]').click(); })()"
         )
         self.assertEqual(self.column(1), ["greedy_report"])
-        self.assertEqual(self.column(3), ["report_example"])
+        self.assertEqual(self.column(2), ["report_example"])
         self.value("document.querySelector('#runs tbody button').click()")
         command = self.value("document.querySelector('#runs tr.command').textContent")
         self.assertIn("mwt generate report_example --n 10 --seed", command)
@@ -162,11 +158,9 @@ class PageTest(PageTestCase):
         self.browser.show_as(1280, 900, dark=True)
         self.assertEqual(self.value("getComputedStyle(document.body).backgroundColor"), "rgb(22, 24, 28)")
 
-    def test_phone(self):
-        self.browser.show_as(390, 844, dark=False)
-        self.browser.open(self.page)
-        self.value("document.querySelectorAll('details.claim').forEach((claim) => { claim.open = true; })")
-        self.assertLessEqual(self.value("document.documentElement.scrollWidth"), 390, "nothing sticks out sideways")
+    def test_nothing_is_cut_off(self):
+        for width in (360, 390, 768, 1440):
+            self.assert_fits(width)
 
 
 if __name__ == "__main__":

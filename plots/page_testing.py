@@ -46,6 +46,37 @@ class PageTestCase(unittest.TestCase):
         return self.value(f"[...document.querySelectorAll({selector!r})].map((element) => element.textContent)")
 
 
+    def assert_no_panel_is_empty(self):
+        """Every panel of every figure, in both layouts, has a line or marks."""
+        panels = self.value(
+            "[...document.querySelectorAll('figure svg g[id*=\"-axes_\"]')].map((panel) =>"
+            " panel.querySelectorAll(':scope > g[id*=\"line2d_\"], :scope > g[id*=\"Collection_\"]').length)"
+        )
+        self.assertGreater(len(panels), 1)
+        self.assertGreater(min(panels), 0)
+
+    def assert_fits(self, width):
+        """Nothing sticks out sideways or is cut off on a screen of this width; tables scroll in a frame of their own."""
+        self.browser.show_as(width, 844, dark=False)
+        self.browser.open(self.page)
+        self.value("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
+        self.assertLessEqual(self.value("document.documentElement.scrollWidth"), width)
+        cut_off = self.value(
+            "[...document.body.querySelectorAll('*')].filter((one) => one.checkVisibility() &&"
+            " !one.closest('.table-scroll, .skip, svg') && (one.getBoundingClientRect().right >"
+            f" {width} || one.getBoundingClientRect().left < 0 || one.scrollWidth > one.clientWidth + 1 && one.clientWidth > 0 &&"
+            " getComputedStyle(one).overflowX !== 'visible')).map((one) => one.outerHTML.slice(0, 120))"
+        )
+        self.assertEqual(cut_off, [], f"cut off at {width} pixels")
+        texts = self.value(
+            "[...document.querySelectorAll('svg')].filter((svg) => svg.checkVisibility()).flatMap((svg) => { const box ="
+            " svg.getBoundingClientRect(); return [...svg.querySelectorAll('text')].filter((text) => { const inner ="
+            " text.getBoundingClientRect(); return inner.left < box.left - 1 || inner.right > box.right + 1 || inner.top <"
+            " box.top - 1 || inner.bottom > box.bottom + 1; }).map((text) => text.textContent); })"
+        )
+        self.assertEqual(texts, [], f"outside of their figures at {width} pixels")
+
+
 def main(what):
     if len(sys.argv) != 2:
         sys.exit(f"usage: {pathlib.Path(sys.argv[0]).name} MWT")

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Formatting, and the rule of the house: a floor includes only floors below it, and heavy headers stay behind their doors.
+# Formatting, and the rule of the layers: each includes only layers below it; heavy headers stay in few source files.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-floors=(geometry generators algorithms harness)
-mapfile -t sources < <(find "${floors[@]}" -name '*.h' -o -name '*.cpp' | sort)
+layers=(geometry generators algorithms harness)
+mapfile -t sources < <(find "${layers[@]}" -name '*.h' -o -name '*.cpp' | sort)
 clang-format --dry-run --Werror "${sources[@]}"
 
 failed=no
@@ -22,9 +22,9 @@ code_of() { find "$1" \( -name '*.h' -o -name '*.cpp' \) ! -name '*_test.cpp' ! 
 mapfile -t geometry < <(code_of geometry)
 mapfile -t generators < <(code_of generators)
 mapfile -t algorithms < <(code_of algorithms)
-mapfile -t headers < <(find "${floors[@]}" -name '*.h')
-forbid '#include "(generators|algorithms|harness)/' 'geometry is the lowest floor' "${geometry[@]}"
-forbid '#include "(algorithms|harness)/' 'generators know only geometry' "${generators[@]}"
-forbid '#include "(generators|harness)/' 'algorithms know only geometry' "${algorithms[@]}"
+mapfile -t headers < <(find "${layers[@]}" -name '*.h')
+forbid '#include "(generators|algorithms|harness)/' 'geometry is the lowest layer' "${geometry[@]}"
+forbid '#include "(algorithms|harness)/' 'generators include geometry only' "${generators[@]}"
+forbid '#include "(generators|harness)/' 'algorithms include geometry only' "${algorithms[@]}"
 forbid '#include <(CGAL|Eigen|CLI|nlohmann|toml|boost/math|benchmark|glpk|sqlite3)' 'heavy headers belong in few .cpp files' "${headers[@]}"
 [ "$failed" = no ]

@@ -3,6 +3,7 @@
 #include <bitset>
 #include <string>
 
+#include "algorithms/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/error.h"
 #include "geometry/predicates.h"
@@ -188,6 +189,8 @@ Solution solve(Points points, Context& context) {
   return solution;
 }
 
+Solution solve_at_any_size(Points points, Context& context) { return solve_scaled(points, context, solve); }
+
 }  // namespace
 
 BruteForceResult enumerate_triangulations(Points points, const Context& context) {
@@ -204,8 +207,9 @@ AlgorithmInfo brute_force_entry() {
   info.space = "O(n^3)";
   info.exactness = Exactness::exact;
   info.largest_n = 13;
+  info.version = 2;
   info.parameters = {{"max_points", ParameterType::integer, "14", "largest number of points it takes, 3 to 16"}};
-  info.function = solve;
+  info.function = solve_at_any_size;
   return info;
 }
 

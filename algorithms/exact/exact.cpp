@@ -18,6 +18,7 @@
 #include "algorithms/exact/usable_threads.h"
 #include "algorithms/flip/flip.h"
 #include "algorithms/greedy/greedy.h"
+#include "algorithms/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
 
@@ -157,12 +158,14 @@ class ExactSolver {
   std::map<std::string, double> counters_;
 };
 
-}  // namespace
-
-Solution exact(Points points, Context& context) {
+Solution solve(Points points, Context& context) {
   tbb::task_arena arena(usable_threads(context));
   return arena.execute([&] { return ExactSolver(points, context).run(); });
 }
+
+}  // namespace
+
+Solution exact(Points points, Context& context) { return solve_scaled(points, context, solve); }
 
 AlgorithmInfo exact_entry() {
   AlgorithmInfo info;
@@ -176,6 +179,7 @@ AlgorithmInfo exact_entry() {
   info.space = "about 400 bytes per point";
   info.exactness = Exactness::exact;
   info.largest_n = 10'000'000;
+  info.version = 2;
   info.function = exact;
   return info;
 }

@@ -14,7 +14,7 @@ class CountedFlips {
   CountedFlips(PlanarMesh& mesh, const Context& context, bool with_trace)
       : mesh_(mesh), context_(context), with_trace_(with_trace) {}
 
-  /// To be asked before every look at an edge; looks at the clock now and then.
+  /// To be called before every look at an edge; reads the clock now and then.
   [[nodiscard]] bool out_of_time() {
     if (++result_.tests % 4096 == 0 && context_.deadline_passed()) result_.stopped_early = true;
     return result_.stopped_early;

@@ -1,4 +1,4 @@
-// A stretch of a face's boundary on which ears are cut off before the mesh knows of them.
+// A stretch of a face's boundary on which ears are cut off before they enter the mesh.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,7 @@ class BoundaryStretch {
   static constexpr float kFar = std::numeric_limits<float>::infinity();
 
   struct Room {
-    float clearance;  ///< least squared length of a spoke; less than 0 until it is asked for
+    float clearance;  ///< least squared length of a spoke; less than 0 until it is computed
     float pocket;     ///< the least such length for the corners hidden between this one and the next; kFar if none
     Corner apex;      ///< of the longest ear of that pocket; kNone if it is empty
     Corner left;      ///< once cut: the same for the pocket on the side of the previous corner

@@ -49,8 +49,7 @@ bool EdgeSorter::surely_increases(std::size_t i) const {
   // Squared lengths in the trusted range are apart by more than twice the 9 ulps by which they may err together.
   constexpr std::uint64_t kSafeUlps = 32;
   const std::uint64_t least = smallest_bits_ + (here << dropped_bits_);
-  const bool trusted = least > std::bit_cast<std::uint64_t>(1e-250) && least < std::bit_cast<std::uint64_t>(1e290);
-  return trusted && ((here - before - 1) << dropped_bits_) >= kSafeUlps;
+  return is_trusted_product(std::bit_cast<double>(least)) && ((here - before - 1) << dropped_bits_) >= kSafeUlps;
 }
 
 EdgeSorter::Run EdgeSorter::next_run() const {
@@ -91,7 +90,7 @@ constexpr std::uint64_t kMargin = 64;
 
 std::uint64_t length_bits(const Candidate& candidate) {
   return std::bit_cast<std::uint64_t>(
-      std::clamp(candidate.key().squared_length.high, EdgeOrder::kSmallestTrusted, EdgeOrder::kLargestTrusted));
+      std::clamp(candidate.key().squared_length.high, kSmallestTrustedProduct, kLargestTrustedProduct));
 }
 
 std::uint64_t bucket_of(const Candidate& candidate) { return (length_bits(candidate) - kMargin) >> kBucketShift; }

@@ -1,6 +1,7 @@
 #include "algorithms/greedy/certified_edges.h"
 
 #include "algorithms/mesh/angle.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -18,9 +19,8 @@ bool is_certainly_greedy(const PlanarMesh& mesh, MeshEdge e) {
   const Angle right = angle_at(mesh.point(mesh.apex(2 * e + 1)), b, a);
   if (!(left.real > 0 && right.real > 0)) return false;  // acute: sums of three stay below a full turn
   const double both = size(left) * size(right);
-  const bool in_range = both > 1e-90 && both < 1e90;  // far from underflow and overflow
   const Angle sum = left * right;
-  return in_range && surely_below_half_turn(sum * left, both * size(left)) &&
+  return is_trusted_factor(size(left)) && is_trusted_factor(size(right)) && surely_below_half_turn(sum * left, both * size(left)) &&
          surely_below_half_turn(sum * right, both * size(right));
 }
 

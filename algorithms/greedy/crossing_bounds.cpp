@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/trusted_range.h"
+
 namespace mwt {
 
 namespace {
@@ -10,8 +12,6 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kMargin = 1e-12;  // differences, products and sums err by a few 1e-16
 constexpr std::size_t kLargeStar = 64;
-
-bool in_range(double squared_length) { return squared_length > 1e-200 && squared_length < 1e200; }
 
 template <class Vector>
 double dot(const Vector& p, const Vector& q) {
@@ -23,10 +23,10 @@ double cross(const Vector& p, const Vector& q) {
   return p.x * q.y - p.y * q.x;
 }
 
-// Either errs by less.
+// Each bound's error is smaller than this margin, also where the products underflow.
 template <class Vector>
 double error(const Vector& p, const Vector& q) {
-  return kMargin * (p.squared_length + q.squared_length);
+  return kMargin * (p.squared_length + q.squared_length) + kSmallestTrustedProduct;
 }
 
 // Of the angle counter-clockwise from p to q, below a full turn. In doubt no.
@@ -51,7 +51,7 @@ bool CrossingBounds::is_promising(std::span<const MeshEdge> face) {
   return 4 * certain >= 3 * samples;
 }
 
-// Whether no pair of spokes at either end stands against e; those of a large star are not asked.
+// Whether no pair of spokes at either end rules e out; spokes of a large star are not examined.
 bool CrossingBounds::seems_certain(MeshEdge e) {
   for (const Halfedge h : {2 * e, 2 * e + 1}) {
     std::size_t degree = 1;
@@ -146,7 +146,7 @@ void CrossingBounds::judge_star(Halfedge h) {
 
 void CrossingBounds::judge_wedge() {
   const bool trusted =
-      std::all_of(spokes_.begin(), spokes_.end(), [](const Spoke& s) { return in_range(s.squared_length); });
+      std::all_of(spokes_.begin(), spokes_.end(), [](const Spoke& s) { return is_trusted_product(s.squared_length); });
   if (trusted && judge_pairs()) return;
   for (Spoke& s : spokes_) s.bound = 0;
 }
@@ -230,7 +230,10 @@ double CrossingBounds::beyond(Halfedge side, double squared) const {
 // Lowers the bounds of spokes, from `first` on, between what is in sight and something farther around.
 void CrossingBounds::look_past(const Sight& sight, Halfedge first, Turn turn) {
   collect_half_turn(sight, first, turn);
-  if (spokes_.size() > kLargeStar) return give_up_star(first);
+  const bool trusted = is_trusted_product(sight.near.squared_length) &&
+                       std::all_of(spokes_.begin(), spokes_.end(),
+                                   [](const Spoke& s) { return is_trusted_product(s.squared_length); });
+  if (spokes_.size() > kLargeStar || !trusted) return give_up_star(first);
   double squared = kInfinite;
   for (std::size_t i = spokes_.size() - 1; i > 0; --i) {
     squared = std::min(squared, least_squared(sight, i, turn));
@@ -271,7 +274,8 @@ double CrossingBounds::least_squared(const Sight& sight, std::size_t i, Turn tur
   double result = kInfinite;
   if (!is_reflex(sight.near, last)) {
     const double product = std::min(0.0, dot(sight.near, last));
-    result = sight.squared + last.squared_length - 2 * product * std::sqrt(sight.squared / sight.near.squared_length);
+    const double cosine = product / std::sqrt(sight.near.squared_length);  // times the length of last
+    result = sight.squared + last.squared_length - 2 * cosine * std::sqrt(sight.squared);
   }
   const Halfedge window = mesh_.next(turn == Turn::left ? before.halfedge : last.halfedge);
   const double shorter = std::min(before.squared_length, last.squared_length);
@@ -279,7 +283,7 @@ double CrossingBounds::least_squared(const Sight& sight, std::size_t i, Turn tur
 }
 
 void CrossingBounds::lower(Halfedge h, double bound) {
-  constexpr double kLeast = 1e-30, kMost = 1e30, kFloatMargin = 1e-6;  // floats below may be denormal
+  constexpr double kLeast = kSmallestTrustedFloat, kMost = kLargestTrustedFloat, kFloatMargin = 1e-6;
   if (bound == kInfinite) return;
   const MeshEdge e = edge_of(h);
   if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) != kFaceMark) return;

@@ -4,6 +4,7 @@
 
 #include "algorithms/mesh/distance.h"
 #include "geometry/predicates.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -37,10 +38,9 @@ bool DistantEars::seems_distant(FaceBoundary& boundary, Corner c) {
 bool DistantEars::is_certain(DistantEar& ear) {
   if (!stretch_.is_inside(ear.c) || !stretch_.is_inside(ear.a) || !stretch_.is_inside(ear.b)) return false;
   const Point &a = stretch_.point(ear.a), &b = stretch_.point(ear.b), &c = stretch_.point(ear.c);
-  // Far from underflow and overflow of floats, otherwise their rounding is well within a margin of 1e-6.
   ear.squared_length = rounded_squared_distance(a, b);
-  ear.enough = ear.squared_length * (1 + 1e-6);
-  if (!(ear.squared_length > 1e-30 && ear.squared_length < 1e30) || orientation(c, a, b) <= 0) return false;
+  ear.enough = ear.squared_length * (1 + 1e-6);  // a margin for the rounding of floats
+  if (!is_trusted_float(ear.squared_length) || orientation(c, a, b) <= 0) return false;
   const auto next = [this](Corner x) { return stretch_.next(x); };
   const auto previous = [this](Corner x) { return stretch_.previous(x); };
   if (!is_far_along(ear, ear.a, next) || !is_far_along(ear, ear.b, previous)) return false;

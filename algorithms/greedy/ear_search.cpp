@@ -5,6 +5,7 @@
 #include "algorithms/greedy/greedy_marks.h"
 #include "algorithms/mesh/distance.h"
 #include "geometry/predicates.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -16,8 +17,7 @@ bool EarSearch::is_certain(const EarSite& site, std::size_t most_steps) {
   a_ = mesh_.point(site.next);
   b_ = mesh_.point(site.previous);
   squared_length_ = rounded_squared_distance(a_, b_);
-  const bool in_range = squared_length_ > 1e-200 && squared_length_ < 1e200;
-  if (!in_range || !is_convex_and_not_acute()) return false;
+  if (!is_trusted_product(squared_length_) || !is_convex_and_not_acute()) return false;
   if (std::any_of(site.beyond.begin(), site.beyond.end(), [this](Index v) { return stands_against(v); })) return false;
   return is_certain_among_spokes() && open_at_apex() && search();
 }

@@ -2,6 +2,7 @@
 
 #include "algorithms/mesh/distance.h"
 #include "geometry/predicates.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -41,9 +42,9 @@ bool FaceCuts::is_shortest(MeshEdge e) const {
 // The fixed edges next to h on either side, unless another spoke between them may be as short. Looking in both
 // directions at once takes few steps in long stars: of neighbours in a fan one is shorter.
 std::optional<Wedge> FaceCuts::wedge_if_shortest(Halfedge h) const {
-  constexpr float kLeast = 1e-30F, kMost = 1e30F, kFloatMargin = 1 + 1e-6F;  // floats below may be denormal
+  constexpr float kFloatMargin = 1 + 1e-6F;
   const float length = mesh_.record(edge_of(h)).squared_length;
-  if (!(length > kLeast && length < kMost)) return std::nullopt;
+  if (!is_trusted_float(length)) return std::nullopt;
   Wedge wedge{h, h};
   while (!is_fixed(wedge.first) || !is_fixed(wedge.last)) {
     if (!is_fixed(wedge.first)) wedge.first = mesh_.rotate_right(wedge.first);

@@ -4,6 +4,7 @@
 
 #include "algorithms/greedy/certified_edges.h"
 #include "geometry/predicates.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -81,7 +82,7 @@ void GreedyBuilder::decide_order() {
   const EdgeSorter::Run run = sorted_.next_run();
   constexpr double kMargin = 1e-5;  // for the rounding of floats
   const double least = static_cast<double>(least_squared_length_) * (1 - kMargin);
-  const bool later_ears_are_longer = run.most - run.least < least;
+  const bool later_ears_are_longer = run.most - run.least < least && is_trusted_float(least);
   const bool ears_are_longer = heap_.empty() || heap_.top().key().squared_length.high > run.most;
   sorted_.decide(run, later_ears_are_longer && ears_are_longer);
 }
@@ -157,8 +158,8 @@ bool GreedyBuilder::comes_first(MeshEdge e) const {
   if (heap_.empty()) return true;
   const double top = heap_.top().key().squared_length.high;
   const double here = mesh_.record(e).squared_length;
-  constexpr double kFloatError = 1e-6;  // relative; floats below 1e-30 may be denormal
-  if (here > 1e-30 && here < 1e30 && std::abs(here - top) > kFloatError * (here + top)) return here < top;
+  constexpr double kFloatError = 1e-6;  // relative
+  if (is_trusted_float(here) && std::abs(here - top) > kFloatError * (here + top)) return here < top;
   return order_.precedes(order_.key(mesh_.origin(2 * e), mesh_.target(2 * e)), heap_.top().key());
 }
 
@@ -220,10 +221,10 @@ bool GreedyBuilder::is_unblocked_ear(const Wedge& wedge) {
   const Point& to = mesh_.point(mesh_.target(wedge.last));
   if (orientation(apex, from, to) <= 0 || dot_sign(from, apex, to) > 0) return false;
   const double dx = from.x - to.x, dy = from.y - to.y;
-  // Shorter beyond the rounding of floats; below 1e-30 they may be denormal, so nothing counts as shorter there.
+  // Shorter beyond the rounding of floats; nothing counts as shorter than what is too short for them.
   const double surely_shorter = (dx * dx + dy * dy) * (1 - 1e-6);
   for (Halfedge spoke = mesh_.rotate_left(wedge.first); spoke != wedge.last; spoke = mesh_.rotate_left(spoke)) {
-    if (mesh_.record(edge_of(spoke)).squared_length < surely_shorter && surely_shorter > 1e-30) {
+    if (mesh_.record(edge_of(spoke)).squared_length < surely_shorter && surely_shorter > kSmallestTrustedFloat) {
       mesh_.marks(edge_of(spoke)) |= kWatchedMarks[spoke & 1];
       return false;
     }

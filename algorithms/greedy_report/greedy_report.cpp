@@ -36,7 +36,7 @@ class KeptEdges {
     boxes_.push_back(box_of(edge));
   }
 
-  // Whether `edge` crosses any of them. The last ones are the longest, so they are asked first.
+  // Whether `edge` crosses any of them. The last ones are the longest, so they are tested first.
   [[nodiscard]] bool cross(const Edge& edge) const {
     const Box box = box_of(edge);
     for (std::size_t i = edges_.size(); i-- > 0;) {

@@ -73,7 +73,11 @@ Solution solve(Points points, Context& context) {
 }  // namespace
 
 HullInsertion hull_insertion(Points points, InsertionOrder order, std::uint64_t seed, Context& context) {
-  if (exact_scale(points) != 0) return hull_insertion(exactly_scaled(points), order, seed, context);
+  if (const int e = exact_scale(points); e != 0) {
+    HullInsertion result = hull_insertion(exactly_scaled(points), order, seed, context);
+    result.hull_weight = scaled_up(result.hull_weight, e);
+    return result;
+  }
   const std::vector<Index> hull = hull_within_limit(points);
   std::vector<Triangle> hull_triangles;
   {

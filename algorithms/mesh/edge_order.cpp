@@ -26,16 +26,12 @@ std::array<DoubleDouble, 2> shape(const Point& p, const Point& q) {
   return x < y ? std::array{x, y} : std::array{y, x};
 }
 
-bool is_trusted(double squared_length) {
-  return squared_length > EdgeOrder::kSmallestTrusted && squared_length < EdgeOrder::kLargestTrusted;
-}
-
 }  // namespace
 
 bool is_surely_shorter(const EdgeKey& one, const EdgeKey& two) {
   const DoubleDouble& a = one.squared_length;
   const DoubleDouble& b = two.squared_length;
-  if (!is_trusted(a.high) || !is_trusted(b.high)) return false;
+  if (!is_trusted_product(a.high) || !is_trusted_product(b.high)) return false;
   if (one.exact && two.exact) return a < b;
   return (a - b).high < -0x1p-95 * (a.high + b.high);
 }
@@ -48,9 +44,9 @@ EdgeKey EdgeOrder::key(Index a, Index b, std::uint32_t tag) const {
   if (overflowed) sum = std::numeric_limits<double>::infinity();  // not the NaN of inf - inf
   // Squares that fit one double, added without error.
   const auto no_underflow = [](const DoubleDouble& part, const DoubleDouble& part_squared) {
-    return part.high == 0 || part_squared.high > kSmallestTrusted;
+    return part.high == 0 || is_trusted_product(part_squared.high);
   };
-  const bool exact = is_trusted(sum.high) && x.low == 0 && y.low == 0 && xx.low == 0 && yy.low == 0 &&
+  const bool exact = is_trusted_product(sum.high) && x.low == 0 && y.low == 0 && xx.low == 0 && yy.low == 0 &&
                      no_underflow(x, xx) && no_underflow(y, yy);
   return {sum, a, b, tag, exact};
 }

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "geometry/double_double.h"
+#include "geometry/trusted_range.h"
 #include "geometry/triangulation.h"
 
 namespace mwt {
 
 /// An edge between two points with what it takes to place it in the order, nearly always without looking at them again.
 struct EdgeKey {
-  DoubleDouble squared_length;  ///< relative error at most 2^-97 within [1e-250, 1e290], rough beyond
+  DoubleDouble squared_length;  ///< relative error at most 2^-97 in the trusted range of products, rough beyond
   Index a = 0;
   Index b = 0;
   std::uint32_t tag = 0;  ///< the caller's
@@ -47,13 +48,11 @@ class EdgeOrder {
   /// Sorts edges whose lengths are hard to tell apart. O(m log m); faster where many are of one length.
   void sort(std::span<EdgeKey> edges) const;
 
-  /// Whether rounded squared lengths show which edge is shorter: each errs by less than 4.5e-16 of itself, unless it
-  /// leaves the trusted range.
+  /// Whether rounded squared lengths show which edge is shorter: each errs by less than 4.5e-16 of itself, unless they
+  /// leave the trusted range.
   [[nodiscard]] static bool surely_differ(double x, double y) {
-    return std::abs(x - y) > 1e-15 * (x + y) && x + y > kSmallestTrusted && x + y < kLargestTrusted;
+    return std::abs(x - y) > 1e-15 * (x + y) && is_trusted_product(x + y);
   }
-  static constexpr double kSmallestTrusted = 1e-250;
-  static constexpr double kLargestTrusted = 1e290;
 
  private:
   [[nodiscard]] Edge labelled(Index a, Index b) const {

@@ -27,8 +27,9 @@ bool on_a_grid(const Point& a, const Point& b, const Point& c, const Point& d, s
   const int shift = kGridBits - 1 - std::ilogb(largest);
   for (std::size_t i = 0; i < 6; ++i) {
     const double scaled = std::scalbn(differences[i], shift);
+    const bool has_vanished = scaled == 0 && differences[i] != 0;
     values[i] = static_cast<std::int64_t>(scaled);
-    if (static_cast<double>(values[i]) != scaled) return false;
+    if (has_vanished || static_cast<double>(values[i]) != scaled) return false;
   }
   return true;
 }

@@ -1,4 +1,4 @@
-// Point sets of many shapes for the tests of this floor: generic ones, ties, near-ties, collinear rows, extremes.
+// Point sets of many shapes for the tests of this layer: generic ones, ties, near-ties, collinear rows, extremes.
 #pragma once
 
 #include <random>

@@ -6,6 +6,7 @@
 #include "algorithms/mesh/distance.h"
 #include "geometry/double_double.h"
 #include "geometry/predicates.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -107,7 +108,8 @@ void PatchPolygon::find_best_apex(std::size_t i, std::size_t j) {
 }
 
 // Floating point first: both sums have fewer than 2^7 terms and err by less than 2^-44 of themselves. Else
-// double-double.
+// double-double. Nothing is sure about lengths that underflow: a mesh has some only next to ordinary ones, to which
+// they are nothing.
 bool PatchPolygon::is_surely_shorter() {
   const double optimum = costs_[at(0, corners_.size() - 1)];
   present_.clear();
@@ -116,6 +118,7 @@ bool PatchPolygon::is_surely_shorter() {
     present_.push_back(make_edge(mesh_.origin(2 * e), mesh_.target(2 * e)));
     present += rounded_distance(mesh_.point(present_.back().a), mesh_.point(present_.back().b));
   }
+  if (present < kSmallestTrustedLength) return false;
   if (optimum < present * (1 - 0x1p-42)) return true;
   if (!(optimum < present * (1 + 0x1p-42))) return false;
   chords_.clear();

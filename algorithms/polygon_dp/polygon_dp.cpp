@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/double_double.h"
 #include "geometry/error.h"
@@ -189,6 +190,8 @@ Solution solve(Points points, Context& context) {
   return solution;
 }
 
+Solution solve_at_any_size(Points points, Context& context) { return solve_scaled(points, context, solve); }
+
 }  // namespace
 
 PolygonTriangulation triangulate_polygon(Points points, std::span<const Index> polygon, PolygonObjective objective) {
@@ -213,13 +216,14 @@ AlgorithmInfo polygon_dp_entry() {
   info.space = "O(n^2)";
   info.exactness = Exactness::exact;
   info.largest_n = kLargestPolygon;
+  info.version = 2;
   info.convex_position_only = true;
   info.parameters = {{"objective",
                       ParameterType::choice,
                       "edges",
                       "what is minimised: the weight, or the report's sum of perimeters (without certified optimum)",
                       {"edges", "perimeter"}}};
-  info.function = solve;
+  info.function = solve_at_any_size;
   return info;
 }
 

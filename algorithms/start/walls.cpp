@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/mesh/angle.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -13,7 +14,7 @@ namespace {
 constexpr double kLeastCotangent = 0.62041;
 
 bool is_surely_small(const Angle& angle) {
-  return angle.real > kLeastCotangent * angle.imaginary && angle.real > 1e-200;
+  return angle.real > kLeastCotangent * angle.imaginary && is_trusted_product(size(angle));
 }
 
 }  // namespace

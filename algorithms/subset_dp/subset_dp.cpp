@@ -4,6 +4,7 @@
 #include <bit>
 #include <string>
 
+#include "algorithms/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
 #include "geometry/error.h"
@@ -248,6 +249,8 @@ Solution solve(Points points, Context& context) {
   return solution;
 }
 
+Solution solve_at_any_size(Points points, Context& context) { return solve_scaled(points, context, solve); }
+
 }  // namespace
 
 std::optional<SubsetDpResult> count_and_optimise(Points points, const Context& context) {
@@ -277,9 +280,10 @@ AlgorithmInfo subset_dp_entry() {
   info.space = "O(n 2^n)";
   info.exactness = Exactness::exact;
   info.largest_n = 24;
+  info.version = 2;
   info.parameters = {{"max_points", ParameterType::integer, "24",
                       "largest number of points it takes, 3 to 26; memory quadruples with every two points"}};
-  info.function = solve;
+  info.function = solve_at_any_size;
   return info;
 }
 

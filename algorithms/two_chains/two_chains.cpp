@@ -6,6 +6,7 @@
 
 #include "algorithms/greedy/greedy.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
+#include "algorithms/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/double_double.h"
 #include "geometry/weight.h"
@@ -124,6 +125,8 @@ Solution solve(Points points, Context& context) {
   return solution;
 }
 
+Solution solve_at_any_size(Points points, Context& context) { return solve_scaled(points, context, solve); }
+
 }  // namespace
 
 Corridor triangulate_corridor(Points points, const ChainPair& pair) {
@@ -145,7 +148,8 @@ AlgorithmInfo two_chains_entry() {
   info.space = "O(r^2 + s^2)";
   info.exactness = Exactness::exact;
   info.largest_n = 200'000;
-  info.function = solve;
+  info.version = 2;
+  info.function = solve_at_any_size;
   return info;
 }
 

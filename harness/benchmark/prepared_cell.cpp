@@ -1,9 +1,11 @@
 #include "harness/benchmark/prepared_cell.h"
 
 #include <algorithm>
+#include <iostream>
 
 #include "geometry/delaunay.h"
 #include "geometry/error.h"
+#include "harness/optimum_claims.h"
 #include "harness/quality.h"
 #include "harness/statistics/quantile.h"
 #include "harness/study/optimum_search.h"
@@ -46,15 +48,29 @@ std::string with_parameters(const std::string& name, const GivenParameters& para
 }
 
 // Cells follow one another by algorithm, instances come again and again.
-std::map<std::string, std::optional<Interval>>& known_optima() {
-  static std::map<std::string, std::optional<Interval>> optima;
+std::map<std::string, OptimumClaims>& known_optima() {
+  static std::map<std::string, OptimumClaims> optima;
   return optima;
 }
 
+// Claims of solvers that a triangulation disproves: they count no more, and their solver is wrong.
+void complain(const std::string& instance, const std::vector<Disproof>& disproofs) {
+  for (const Disproof& disproof : disproofs) std::cerr << instance << ": " << disproof.text() << '\n';
+}
+
+// What a checked solution certifies.
+std::vector<Disproof> add(OptimumClaims& claims, const std::string& solver, const Solution& solution,
+                          const Interval& weight) {
+  const WitnessedOptimum optimum = witnessed_optimum(solution.optimum, weight);
+  if (optimum.contradiction) return {{{solver, solver, *solution.optimum}, "", weight.upper}};
+  if (!optimum.interval) return claims.add_weight({solver, weight.upper});
+  return claims.add_claim({solver, solver, *optimum.interval});
+}
+
 // In this process: a worker of the harness measures with Google Benchmark, whose output file is open here.
-std::optional<Interval> seek_optimum_here(const Catalogue& catalogue, const Instance& instance) {
+OptimumClaims seek_optimum_here(const Catalogue& catalogue, const Instance& instance, const std::string& label) {
   const Points points = instance.set.points;
-  std::optional<Interval> best;
+  OptimumClaims claims;
   for (const AlgorithmInfo* source : optimum_sources_for(catalogue, {}, static_cast<Index>(points.size()))) {
     Request request;
     request.algorithm = source;
@@ -62,31 +78,43 @@ std::optional<Interval> seek_optimum_here(const Catalogue& catalogue, const Inst
     request.time_limit_s = kOptimumTime;
     try {
       const Solution solution = execute_once(request, points).solution;
-      if (!solution.optimum || judge(points, solution.triangulation).violation) continue;
-      if (!best || solution.optimum->width() < best->width()) best = solution.optimum;
+      const Judgement judgement = judge(points, solution.triangulation);
+      if (!judgement.violation) complain(label, add(claims, source->name, solution, judgement.weight));
     } catch (const NotApplicable&) {
       continue;
     }
-    if (optimality_of(best) == Optimality::proved) break;
+    if (optimality_of(claims.bounds()) == Optimality::proved) break;
   }
-  return best;
+  return claims;
 }
 
-std::optional<Interval> cheap_optimum(const Catalogue& catalogue, const Instance& instance) {
-  if (instance.set.points.size() > kLargestRatedN) return std::nullopt;
-  const auto known = known_optima().find(instance.id);
-  if (known != known_optima().end()) return known->second;
-  return known_optima()[instance.id] = seek_optimum_here(catalogue, instance);
+// Of an instance with few enough points; null otherwise.
+OptimumClaims* cheap_optimum(const Catalogue& catalogue, const Instance& instance, const std::string& label) {
+  if (instance.set.points.size() > kLargestRatedN) return nullptr;
+  const auto [entry, is_new] = known_optima().try_emplace(instance.id);
+  if (is_new) entry->second = seek_optimum_here(catalogue, instance, label);
+  return &entry->second;
 }
 
-void verify(const Catalogue& catalogue, PreparedCell& cell) {
+void rate(PreparedCell& cell, OptimumClaims& claims, const Solution& solution, const Interval& weight,
+          const std::string& label) {
+  const std::string& name = cell.request.algorithm->name;
+  const std::vector<Disproof> disproofs = add(claims, name, solution, weight);
+  complain(label, disproofs);
+  for (const Disproof& disproof : disproofs) {
+    if (disproof.claim.id == name) cell.reason_to_skip = disproof.text();
+  }
+  if (const auto optimum = claims.bounds()) cell.alpha = alpha_of(weight, *optimum);
+}
+
+void verify(const Catalogue& catalogue, PreparedCell& cell, const std::string& label) {
   const Points points = cell.instance.set.points;
   const Execution execution = execute_once(cell.request, points);
   const Judgement judgement = judge(points, execution.solution.triangulation);
   if (judgement.violation) {
     cell.reason_to_skip = "invalid output: " + *judgement.violation;
-  } else if (const auto optimum = cheap_optimum(catalogue, cell.instance)) {
-    cell.alpha = alpha_of(judgement.weight, *optimum);
+  } else if (OptimumClaims* claims = cheap_optimum(catalogue, cell.instance, label)) {
+    rate(cell, *claims, execution.solution, judgement.weight, label);
   }
 }
 
@@ -136,7 +164,7 @@ PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell) {
     prepared.request.algorithm = cell.algorithm;
     prepared.request.parameters =
         Parameters(cell.algorithm->name, cell.algorithm->parameters, cell.algorithm_parameters);
-    verify(catalogue, prepared);
+    verify(catalogue, prepared, cell.family->name + " n=" + std::to_string(cell.n));
   } catch (const NotApplicable& reason) {
     prepared.reason_to_skip = reason.what();
   } catch (const InputError& error) {

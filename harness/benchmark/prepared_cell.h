@@ -27,7 +27,7 @@ struct BenchmarkCell {
 };
 
 /// Every algorithm on every family at n = 10, 100, ... up to `largest_n` and to what both sensibly take; named
-/// instances at their n. With default parameters, and with those of a few variants that are often asked for.
+/// instances at their n. With default parameters, and with those of a few common variants.
 [[nodiscard]] std::vector<BenchmarkCell> benchmark_cells(const Catalogue& catalogue, Index largest_n);
 
 /// A cell ready to be timed.
@@ -36,12 +36,13 @@ struct PreparedCell {
   Request request;
   std::optional<Interval> alpha;  ///< where an optimum is cheap: up to kLargestRatedN points
   std::string reason_to_skip;     ///< not empty: the algorithm or the family does not take this n, or the
-                                  ///< algorithm's output is wrong
+                                  ///< algorithm's output or certified bound is wrong
 };
 inline constexpr Index kLargestRatedN = 100'000;
 
 /// Generates the instance (seed 1), runs the algorithm once, checks its output, and looks for the optimum with the
-/// exact algorithms, half a minute each; once per instance.
+/// exact algorithms, half a minute each; once per instance. A bound that a triangulation disproves is told on standard
+/// error and counts no more.
 [[nodiscard]] PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell);
 
 /// The processor time of the yardstick and of an algorithm, in turns, so that what else the machine does cancels.

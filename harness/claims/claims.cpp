@@ -134,4 +134,12 @@ void write_claims(const std::string& folder, const std::vector<JudgedClaim>& jud
               {"claim", "statement", "section", "measured", "evidence", "verdict", "rule", "command"}, claims);
 }
 
+void remove_claims(const std::string& folder) {
+  for (const char* name : {"claims.csv", "claim_rows.csv", "claim_details"}) {
+    std::error_code error;
+    fs::remove_all(fs::path(folder) / name, error);
+    if (error) throw InputError((fs::path(folder) / name).string() + ": cannot be removed: " + error.message());
+  }
+}
+
 }  // namespace mwt

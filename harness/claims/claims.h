@@ -28,4 +28,7 @@ struct JudgedClaim {
 /// Throws InputError if it cannot.
 void write_claims(const std::string& folder, const std::vector<JudgedClaim>& judged);
 
+/// Removes what write_claims() writes, if it is there. Throws InputError if it cannot.
+void remove_claims(const std::string& folder);
+
 }  // namespace mwt

@@ -329,6 +329,9 @@ TEST(Claims, ANewReportLeavesNothingOfAnOldOne) {
   write_claims(folder.path(""), judge_claims(made_up.records()));
   write_claims(folder.path(""), judge_claims({}));
   EXPECT_FALSE(std::filesystem::exists(folder.path("claim_details/C10.csv")));
+  remove_claims(folder.path(""));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path("")));
+  remove_claims(folder.path(""));
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numeric>
 #include <set>
 
+#include "geometry/parameters.h"
 #include "harness/study/plan.h"
 #include "harness/text.h"
 
@@ -68,11 +70,9 @@ double mean(const std::vector<double>& values) {
 }
 
 std::optional<std::string> named_value(std::string_view field, std::string_view name) {
-  for (const std::string& part : split(field, ' ')) {
-    const std::size_t sign = part.find('=');
-    if (sign != std::string::npos && std::string_view(part).substr(0, sign) == name) return part.substr(sign + 1);
-  }
-  return std::nullopt;
+  const std::map<std::string, std::string> values = parse_canonical(field);
+  const auto value = values.find(std::string(name));
+  return value == values.end() ? std::nullopt : std::optional(value->second);
 }
 
 std::optional<double> named_number(std::string_view field, std::string_view name) {

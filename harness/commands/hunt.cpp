@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
 
 #include "geometry/error.h"
 #include "geometry/number_text.h"
@@ -74,6 +75,15 @@ void require_fresh_or_resumed(const Options& options, const std::string& output,
   }
 }
 
+// The points are worth more than the hunt: a solver is wrong on them.
+[[noreturn]] void fail_with_points(const std::string& output, const HuntPlan& plan, const DisprovedOptimum& failure) {
+  const std::string path = output + ".disproof.txt";
+  std::string text = plan.identity() + "\n# " + failure.what() + '\n';
+  for (const Point& p : failure.points()) text += number_text(p.x) + ' ' + number_text(p.y) + '\n';
+  write_file_atomically(path, text);
+  throw std::logic_error(std::string(failure.what()) + "; the points are in " + path);
+}
+
 void write_instance(const std::string& path, const HuntPlan& plan, const HuntResult& result) {
   std::string text = plan.identity() + "\n# alpha >= " + number_text(result.worst.alpha) + " (certified) after " +
                      std::to_string(result.evaluations) + " evaluations\n";
@@ -94,11 +104,17 @@ int run_hunt(const Options& options) {
   limits.budget_s = options.budget_s.value_or(limits.budget_s);
   if (options.evaluations > 0) limits.evaluations = options.evaluations;
   const auto begin = std::chrono::steady_clock::now();
-  const HuntResult result = hunt(plan, limits, state_file, [&](const HuntResult& better) {
+  const auto has_improved = [&](const HuntResult& better) {
     write_instance(output, plan, better);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     std::cout << fixed(elapsed.count(), 0) << " s: " << described(better) << std::endl;
-  });
+  };
+  HuntResult result;
+  try {
+    result = hunt(plan, limits, state_file, has_improved);
+  } catch (const DisprovedOptimum& failure) {
+    fail_with_points(output, plan, failure);
+  }
   if (result.worst.points.empty()) throw InputError("no instance of n=" + std::to_string(plan.n) + " could be rated");
   write_instance(output, plan, result);
   std::cout << options.algorithm << " n=" << plan.n << ": " << described(result) << "; written to " << output << '\n';

@@ -16,9 +16,12 @@ Command merge_command() {
                   "join shards although they come from different commits of mwt");
   };
   const auto run = [options] {
-    const std::size_t runs = merge_results(*options, Catalogue::built_in());
-    std::cout << runs << " runs of " << options->folders.size() << " folders joined in " << options->target << '\n';
-    return static_cast<int>(kExitOk);
+    const MergeOutcome outcome = merge_results(*options, Catalogue::built_in());
+    for (const std::string& warning : outcome.warnings) std::cerr << "mwt: warning: " << warning << '\n';
+    for (const std::string& contradiction : outcome.contradictions) std::cout << contradiction << '\n';
+    std::cout << outcome.runs << " runs of " << options->folders.size() << " folders joined in " << options->target
+              << '\n';
+    return static_cast<int>(outcome.contradictions.empty() ? kExitOk : kExitFailure);
   };
   return {"merge", "Join the shards of a study, run apart with --shard", declare, run};
 }

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -10,6 +11,7 @@
 #include "harness/report/final_rating.h"
 #include "harness/report/tables.h"
 #include "harness/study/dry_run.h"
+#include "harness/study/known_optima.h"
 #include "harness/study/results_folder.h"
 #include "harness/study/run_study.h"
 
@@ -37,14 +39,22 @@ std::string default_folder(const Study& study, const Shard& shard) {
   return folder;
 }
 
-// Failures are shown in any case.
-void print_overview(const std::string& folder, bool with_alphas) {
-  const std::vector<RunRecord> runs = finally_rated(read_records(folder));
+// Failures are shown in any case. Returns the exit code that the records call for.
+ExitCode print_overview(const std::string& folder, bool with_alphas) {
+  const StudyRecords records = read_records(folder);
+  const std::vector<RunRecord> runs = finally_rated(records);
   const std::vector<Cell> cells = cells_of(runs);
   if (with_alphas) std::cout << '\n' << algorithm_table(cells, Labels(cells));
   const std::string failures = failure_table(runs);
   if (!failures.empty()) std::cout << '\n' << failures;
   std::cout << "\nrecords: " << folder << "/runs.csv; all tables: mwt report " << folder << '\n';
+  const auto is_wrong = [](const auto& record) { return is_disproved(record); };
+  const bool has_contradiction = std::any_of(runs.begin(), runs.end(), is_wrong) ||
+                                 std::any_of(records.instances.begin(), records.instances.end(), is_wrong);
+  const auto failed = std::count_if(runs.begin(), runs.end(), [](const auto& run) { return is_failure(run.status); });
+  if (failed > 0) std::cout << failed << " of " << runs.size() << " runs failed; the table above names them\n";
+  if (has_contradiction) return kExitFailure;
+  return failed > 0 ? kExitNegative : kExitOk;
 }
 
 int run(const Options& options) {
@@ -62,9 +72,8 @@ int run(const Options& options) {
     return kExitOk;
   }
   const StudyOutcome outcome = run_study(study, Catalogue::built_in(), run_options, std::cout);
-  print_overview(run_options.folder, !options.quiet);
-  if (outcome.interrupted) return kExitInterrupted;
-  return outcome.contradictions > 0 ? kExitFailure : kExitOk;
+  const ExitCode code = print_overview(run_options.folder, !options.quiet);
+  return outcome.interrupted ? kExitInterrupted : code;
 }
 
 }  // namespace

@@ -15,10 +15,12 @@
 #include "harness/given_triangulation.h"
 #include "harness/json_output.h"
 #include "harness/optimum_cache.h"
+#include "harness/optimum_claims.h"
 #include "harness/quality.h"
 #include "harness/solve_report.h"
 #include "harness/start_triangulation.h"
 #include "harness/study/optimum_search.h"
+#include "harness/text.h"
 
 namespace mwt {
 
@@ -53,20 +55,22 @@ Request make_request(const Options& options, const Catalogue& catalogue, const I
   return request;
 }
 
+void warn(const std::string& warning) { std::cerr << "mwt: warning: " << warning << '\n'; }
+
 // The optimum from the cache or the exact algorithms, each in a process of its own.
 FoundOptimum search_optimum(const Instance& instance, std::vector<const AlgorithmInfo*> sources,
-                            const RunLimits& limits, OptimumCache* cache) {
+                            const RunLimits& limits, OptimumCache* cache, const KnownWeight& known) {
   const auto shared = std::make_shared<const Instance>(instance);
   FoundOptimum result;
   ProcessPool pool(1);
-  seek_optimum(pool, shared, std::move(sources), limits, cache, [&](const FoundOptimum& found) { result = found; });
+  seek_optimum(pool, shared, std::move(sources), limits, cache, known,
+               [&](const FoundOptimum& found) { result = found; });
   while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(200));
   return result;
 }
 
 std::optional<OptimumCache> open_cache(const Options& options) {
   if (options.no_cache) return std::nullopt;
-  const auto warn = [](const std::string& warning) { std::cerr << "mwt: warning: " << warning << '\n'; };
   return OptimumCache(optimum_cache_folder(), warn);
 }
 
@@ -78,25 +82,39 @@ FoundOptimum cached(const CachedOptimum& earlier, const AlgorithmInfo& solver) {
   return found;
 }
 
+// What the cache has of the same solver; nothing if this solution disproves it: it is thrown out then.
+std::optional<CachedOptimum> cached_of(OptimumCache& cache, const Instance& instance, const OptimumKey& key,
+                                       const Interval& weight) {
+  std::optional<CachedOptimum> earlier = cache.find(key);
+  if (!earlier || earlier->interval.lower <= weight.upper) return earlier;
+  const OptimumClaim claim{"", cached_claimant(key.solver), earlier->interval};
+  warn(Disproof{claim, "this solution", weight.upper}.text() + "; it is thrown out of the cache");
+  static_cast<void>(cache.discard_disproved(instance.id, weight.upper));
+  return std::nullopt;
+}
+
 // What is known besides what the solution itself certifies. If that is the optimum, nothing more is sought, and it goes
-// into the cache; and an exact algorithm that did not prove it is not asked again.
+// into the cache; and an exact algorithm that did not prove it is not run again.
 FoundOptimum optimum_beyond(const Catalogue& catalogue, const Instance& instance, const Request& request,
                             const Execution& execution, const Interval& weight, const Options& options) {
   std::optional<OptimumCache> cache = open_cache(options);
   const AlgorithmInfo& solver = *request.algorithm;
   const OptimumKey key = optimum_key(instance.id, solver, request.parameters);
+  const auto earlier = cache ? cached_of(*cache, instance, key, weight) : std::nullopt;
   const std::optional<Interval> own = witnessed_optimum(execution.solution.optimum, weight).interval;
   if (optimality_of(own) == Optimality::proved) {
+    if (earlier && !overlap(earlier->interval, *own)) return cached(*earlier, solver);  // a contradiction: rate() tells
     if (cache && solver.exactness == Exactness::exact) cache->store(key, {*own, execution.wall_time_s});
     return {};
   }
-  if (const auto earlier = cache ? cache->find(key) : std::nullopt) return cached(*earlier, solver);
+  if (earlier) return cached(*earlier, solver);
   RunLimits limits;
   limits.time_s = options.time_limit_s.value_or(limits.time_s);
   const auto n = static_cast<Index>(instance.set.points.size());
   auto sources = optimum_sources_for(catalogue, {}, n, instance.hull_size == n);
   std::erase(sources, &solver);
-  return search_optimum(instance, std::move(sources), limits, cache ? &*cache : nullptr);
+  return search_optimum(instance, std::move(sources), limits, cache ? &*cache : nullptr,
+                        {"this solution", weight.upper});
 }
 
 SolveReport describe(const Request& request, const Instance& instance, const Execution& execution,
@@ -127,25 +145,27 @@ SolveReport describe(const Request& request, const Instance& instance, const Exe
   return report;
 }
 
-// What two searches say together. A contradiction is a failure of this program.
-std::optional<Interval> combine(const std::optional<Interval>& known, const std::optional<Interval>& bounds) {
-  if (!known || !bounds) return known ? known : bounds;
-  const std::optional<Interval> common = intersection(*known, *bounds);
-  if (!common) throw std::logic_error("the certified optima of two algorithms contradict each other");
-  return common;
-}
-
-void rate(SolveReport& report, const std::optional<Interval>& claimed, const FoundOptimum& found) {
+// Fills in what is certified. Returns the claims that triangulations disprove: failures of this program.
+std::vector<std::string> rate(SolveReport& report, const std::optional<Interval>& claimed, const FoundOptimum& found) {
+  std::vector<std::string> contradictions = found.contradictions;
+  const auto add = [&](const std::vector<Disproof>& disproofs) {
+    for (const Disproof& disproof : disproofs) contradictions.push_back(disproof.text());
+  };
+  const double weight = report.weight->upper;
   const WitnessedOptimum own = witnessed_optimum(claimed, *report.weight);
-  if (own.contradiction) throw std::logic_error(report.algorithm + " certifies more than its own triangulation weighs");
-  if (found.contradiction) throw std::logic_error(found.note);
-  report.optimum = combine(found.interval, own.interval);
-  if (report.optimum) {
-    report.optimum = combine(report.optimum, Interval{report.optimum->lower, report.weight->upper});
-    report.alpha = alpha_of(*report.weight, *report.optimum);
+  if (own.contradiction) add({{{"", report.algorithm, *claimed}, "", weight}});
+  OptimumClaims claims;
+  if (found.interval) {
+    const std::string source = found.is_cached ? cached_claimant(found.source) : found.source;
+    add(claims.add_claim({"", source, *found.interval}));
   }
+  add(claims.add_weight({report.algorithm, weight}));
+  if (own.interval) add(claims.add_claim({"", report.algorithm, *own.interval}));
+  report.optimum = claims.bounds();
+  if (report.optimum) report.alpha = alpha_of(*report.weight, *report.optimum);
   report.optimality = name_of(optimality_of(report.optimum));
   report.optimum_cached = found.is_cached;
+  return contradictions;
 }
 
 std::vector<OutputOption> outputs_of(const Options& options) {
@@ -189,7 +209,7 @@ void print(const Options& options, const SolveReport& report) {
 
 int solve(const Options& options) {
   const Catalogue catalogue = Catalogue::built_in();
-  static_cast<void>(catalogue.algorithm(options.algorithm));  // a wrong name is said before a large file is read
+  static_cast<void>(catalogue.algorithm(options.algorithm));  // an unknown name is reported before a large file is read
   const std::vector<Point> input = read_points(options.points);
   const Instance instance = make_instance(input, source_name(options.points));
   const Request request = make_request(options, catalogue, instance, input);
@@ -203,9 +223,11 @@ int solve(const Options& options) {
   }
   FoundOptimum found;
   if (options.with_optimum) found = optimum_beyond(catalogue, instance, request, execution, judgement.weight, options);
-  rate(report, execution.solution.optimum, found);
+  for (const std::string& warning : found.warnings) warn(warning);
+  const std::vector<std::string> contradictions = rate(report, execution.solution.optimum, found);
   write_files(options, instance, input, execution.solution.triangulation);
   print(options, report);
+  if (!contradictions.empty()) throw std::logic_error(joined(contradictions, "; "));
   return kExitOk;
 }
 
@@ -215,8 +237,8 @@ void declare(CommandOptions& declared, Options& options) {
   declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
   declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
   declared.positive("--threads", options.threads, "threads that the algorithm may use");
-  declared.positive("--time-limit", options.time_limit_s, "seconds after which the best so far is wanted");
-  declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to tell alpha");
+  declared.positive("--time-limit", options.time_limit_s, "return the best result found within this many seconds");
+  declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to compute alpha");
   declared.flag("--no-cache", options.no_cache, "seek that optimum anew; leave the optimum cache alone");
   declared.flag("--json", options.json, "print one JSON object");
   declared.option(

@@ -71,7 +71,7 @@ TEST_F(Solve, AnOptimumThatTheAlgorithmProvedIsNotSoughtAgain) {
   EXPECT_EQ(proved["optimality"], "proved");
   EXPECT_FALSE(proved["optimum_cached"]);
   for (const auto& entry : std::filesystem::directory_iterator(path("optima"))) {
-    EXPECT_NE(entry.path().string().find("-triangle_lp-"), std::string::npos) << "no other solver was asked";
+    EXPECT_NE(entry.path().string().find("-triangle_lp-"), std::string::npos) << "no other solver ran";
   }
   EXPECT_TRUE(json_of("solve p.txt --algorithm delaunay --with-optimum")["optimum_cached"]) << "and now it is known";
 }

@@ -7,6 +7,7 @@
 #include "geometry/checker.h"
 #include "geometry/error.h"
 #include "geometry/weight.h"
+#include "harness/optimum_claims.h"
 #include "harness/quality.h"
 
 namespace mwt {
@@ -54,17 +55,22 @@ const AlgorithmInfo& solver_for_hunt(const Catalogue& catalogue, Index n) {
 AlphaOracle::AlphaOracle(Request request, const AlgorithmInfo& solver)
     : request_(std::move(request)), solver_(solver) {}
 
+DisprovedOptimum AlphaOracle::disproved(const Interval& claimed, const std::string& witness, const Interval& weight,
+                                        const std::vector<Point>& points) const {
+  return {Disproof{{"", solver_.name, claimed}, witness, weight.upper}.text(), points};
+}
+
 std::optional<Interval> AlphaOracle::rate(const std::vector<Point>& points) const {
   try {
     const PointSet set = make_point_set(points, "hunt");
     if (set.duplicates() > 0) return std::nullopt;
     const CheckedSolution reference = solve_checked(request_for(solver_), points);
     const WitnessedOptimum optimum = witnessed_optimum(reference.solution.optimum, reference.weight);
+    if (optimum.contradiction) throw disproved(*reference.solution.optimum, "", reference.weight, points);
     if (optimality_of(optimum.interval) != Optimality::proved) return std::nullopt;
     const CheckedSolution found = solve_checked(request_, points);
-    if (optimum.contradiction || found.weight.upper < optimum.interval->lower) {
-      throw std::logic_error(request_.algorithm->name + " is lighter than the optimum that " + solver_.name +
-                             " proves");
+    if (found.weight.upper < optimum.interval->lower) {
+      throw disproved(*optimum.interval, request_.algorithm->name, found.weight, points);
     }
     return alpha_of(found.weight, *optimum.interval);
   } catch (const InputError&) {

@@ -16,7 +16,7 @@ struct RatedInstance {
   double alpha = 0;  ///< lower end of the certified interval
 };
 
-/// Everything that a climber remembers; saving and restoring it continues the climb exactly.
+/// The whole state of a climber: saving and restoring it continues the climb exactly.
 struct ClimberState {
   std::uint64_t evaluations = 0;
   std::uint64_t last_progress = 0;  ///< the evaluation at which `current` last became better

@@ -1,6 +1,9 @@
 #include "harness/report/failures.h"
 
+#include <algorithm>
 #include <map>
+#include <string>
+#include <tuple>
 
 #include "harness/aligned_table.h"
 
@@ -8,31 +11,57 @@ namespace mwt {
 
 namespace {
 
+constexpr std::size_t kMostLines = 50;
+constexpr std::size_t kLongestMessage = 300;
+
+// Algorithm, parameters, status, and the message without its numbers.
+using Kind = std::tuple<std::string, std::string, RunStatus, std::string>;
+
 struct Failures {
   std::size_t count = 0;
   const RunRecord* first = nullptr;
 };
 
-std::string instance_of(const RunRecord& run) {
-  const std::string parameters = run.generator_params.empty() ? "" : " " + run.generator_params;
-  return run.generator + parameters + " n=" + std::to_string(run.n) + " seed=" + std::to_string(run.seed);
+bool is_part_of_number(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; }
+
+// Positions, weights and seeds differ between runs that fail for one reason.
+std::string without_numbers(const std::string& message) {
+  std::string pattern;
+  for (const char c : message) {
+    const char shown = is_part_of_number(c) ? '#' : c;
+    if (shown != '#' || !pattern.ends_with('#')) pattern += shown;
+  }
+  return pattern;
+}
+
+std::string shortened(const std::string& message) {
+  return message.size() <= kLongestMessage ? message : message.substr(0, kLongestMessage) + " ...";
+}
+
+std::vector<std::string> row_of(const Failures& failures) {
+  const RunRecord& run = *failures.first;
+  return {run.params.empty() ? run.algorithm : run.algorithm + ' ' + run.params, std::string(name_of(run.status)),
+          std::to_string(failures.count), label_of_instance(run), shortened(run.message)};
 }
 
 }  // namespace
 
 std::string failure_table(const std::vector<RunRecord>& runs) {
-  std::map<std::pair<std::string, RunStatus>, Failures> kinds;
+  std::map<Kind, Failures> kinds;
   for (const RunRecord& run : runs) {
     if (!is_failure(run.status)) continue;
-    Failures& kind = kinds[{run.algorithm, run.status}];
+    Failures& kind = kinds[{run.algorithm, run.params, run.status, without_numbers(run.message)}];
     if (kind.count++ == 0) kind.first = &run;
   }
+  std::vector<Failures> ordered;
+  for (const auto& [kind, failures] : kinds) ordered.push_back(failures);
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const Failures& a, const Failures& b) { return a.count > b.count; });
   AlignedTable table({"failed", "how", "runs", "first on", "message"}, {1, 3, 4});
-  for (const auto& [key, kind] : kinds) {
-    table.add_row({key.first, std::string(name_of(key.second)), std::to_string(kind.count), instance_of(*kind.first),
-                   kind.first->message});
-  }
-  return table.is_empty() ? "" : table.text();
+  for (std::size_t i = 0; i < std::min(ordered.size(), kMostLines); ++i) table.add_row(row_of(ordered[i]));
+  if (table.is_empty()) return "";
+  const std::size_t left_out = ordered.size() - std::min(ordered.size(), kMostLines);
+  return table.text() + (left_out == 0 ? "" : std::to_string(left_out) + " more kinds of failure: see runs.csv\n");
 }
 
 }  // namespace mwt

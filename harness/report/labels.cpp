@@ -1,7 +1,6 @@
 #include "harness/report/labels.h"
 
-#include <string_view>
-
+#include "geometry/parameters.h"
 #include "harness/study/plan.h"
 
 namespace mwt {
@@ -24,9 +23,11 @@ Labels::Labels(const std::vector<Cell>& cells) {
 
 // A file's parameter is its name, which says more than "file".
 std::string Labels::family(const CellKey& key) const {
-  constexpr std::string_view kFile = "file=";
-  if (key.generator == kFileGenerator && key.generator_params.starts_with(kFile))
-    return key.generator_params.substr(kFile.size());
+  if (key.generator == kFileGenerator) {
+    const std::map<std::string, std::string> parameters = parse_canonical(key.generator_params);
+    const auto file = parameters.find("file");
+    if (file != parameters.end()) return file->second;
+  }
   return label(family_parameters_, key.generator, key.generator_params);
 }
 

@@ -45,12 +45,18 @@ void write_exponents(const ReportData& data, std::ostream& out) {
   write(data, "exponents.csv", exponents_csv(data.records.runs.front().study, data.growth), out);
 }
 
+void write_ratings(const ReportData& data, std::ostream& out) {
+  write(data, "ratings.csv", ratings_csv(data.records.runs.front().study, data.records.runs), out);
+}
+
 void print_failures(const ReportData& data, std::ostream& out) {
   const std::string table = failure_table(data.records.runs);
   if (!table.empty()) out << table << '\n';
 }
 
+// Another study would leave most claims undecided, and judge the others by fewer runs than their rules are made for.
 void judge_source_report(const ReportData& data, std::ostream& out) {
+  if (!judges_claims(data.records.study_file)) return remove_claims(data.folder);
   const std::vector<JudgedClaim> judged = judge_claims(data.records);
   write_claims(data.folder, judged);
   out << "written: " << data.folder << "/claims.csv, claim_rows.csv, claim_details/\n\n" << claims_text(judged);
@@ -73,6 +79,8 @@ std::vector<ReportPart> report_tables() {
   return {print_cells, print_growth, print_growth_laws, print_algorithms, print_failures};
 }
 
-std::vector<ReportPart> report_results() { return {write_summary, write_exponents, judge_source_report}; }
+std::vector<ReportPart> report_results() {
+  return {write_summary, write_exponents, write_ratings, judge_source_report};
+}
 
 }  // namespace mwt

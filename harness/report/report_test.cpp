@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "geometry/error.h"
@@ -195,11 +196,24 @@ TEST(FinalRating, WhatWasProvedLaterCountsForAll) {
   records.runs[0].optimum_lower = 0.5;
   records.runs[0].optimum_upper = 2;
   records.runs[0].optimality = "bounded";
+  records.runs[1].certified_lower = 1;
   const std::vector<RunRecord> rated = finally_rated(records);
   EXPECT_EQ(rated[0].optimality, "proved");
   EXPECT_EQ(rated[0].alpha_upper, 2);
   EXPECT_EQ(rated[0].optimal, "no");
   EXPECT_EQ(rated[1].optimal, "yes");
+}
+
+TEST(FinalRating, AClaimThatALighterTriangulationDisprovesIsTheError) {
+  StudyRecords records;
+  records.runs = {ok_run("sweep", 10, 1, 1, 2), ok_run("exact", 10, 1, 1, 1.5), ok_run("patch", 10, 1, 1, 1)};
+  records.runs[1].certified_lower = 1.5;
+  for (std::size_t i = 0; i < 3; ++i) records.runs[i].run_id = std::to_string(i);
+  const std::vector<RunRecord> rated = finally_rated(records);
+  EXPECT_EQ(rated[0].status, RunStatus::ok);
+  EXPECT_FALSE(rated[0].alpha_upper);
+  EXPECT_EQ(rated[1].status, RunStatus::error);
+  EXPECT_EQ(rated[2].status, RunStatus::ok);
 }
 
 std::vector<std::string> documented_columns(const std::string& file) {
@@ -216,6 +230,7 @@ std::vector<std::string> documented_columns(const std::string& file) {
 TEST(SummaryFiles, TheSchemaPageListsExactlyTheColumnsInTheirOrder) {
   EXPECT_EQ(parse_csv(summary_csv("s", {})).front(), documented_columns("summary.csv"));
   EXPECT_EQ(parse_csv(exponents_csv("s", {})).front(), documented_columns("exponents.csv"));
+  EXPECT_EQ(parse_csv(ratings_csv("s", {})).front(), documented_columns("ratings.csv"));
 }
 
 TEST(SummaryFiles, RowsHaveTheValues) {
@@ -226,12 +241,18 @@ TEST(SummaryFiles, RowsHaveTheValues) {
   EXPECT_EQ(rows[1][6], "wall_time_s");
   EXPECT_EQ(rows[2][6], "alpha");
   EXPECT_EQ(parse_csv(summary_csv("s", summarise(cells))).size(), 7u);
+  std::vector<RunRecord> runs = {ok_run("sweep", 10, 1, 1, 1.25), failed_run("sweep", RunStatus::timeout)};
+  runs.front().run_id = "r";
+  const std::vector<CsvRow> ratings = parse_csv(ratings_csv("s", runs));
+  ASSERT_EQ(ratings.size(), 2u) << "of runs that are ok";
+  EXPECT_EQ((CsvRow{ratings[1].begin() + 2, ratings[1].end()}), (CsvRow{"r", "proved", "1.25", "1.25", "no"}));
 }
 
 TEST(Report, EveryPartWorksOnAStudysFolder) {
   const testing::TestFolder folder;
   StudyRecords records;
   records.runs = power_law_runs();
+  records.study_file = "claims = true\n";
   write_records(folder.path("out"), records);
   const ReportData data = read_report_data(folder.path("out"));
   std::ostringstream tables, results;
@@ -241,6 +262,19 @@ TEST(Report, EveryPartWorksOnAStudysFolder) {
   EXPECT_NE(results.str().find("the source report's claims"), std::string::npos);
   EXPECT_EQ(parse_csv(testing::read_text(folder.path("out/summary.csv"))).size(), 7u);
   EXPECT_EQ(parse_csv(testing::read_text(folder.path("out/exponents.csv"))).size(), 3u);
+}
+
+TEST(Report, ClaimsAreJudgedByStudiesMadeForThemOnly) {
+  const testing::TestFolder folder;
+  StudyRecords records;
+  records.runs = power_law_runs();
+  write_records(folder.path("out"), records);
+  testing::write_text(folder.path("out/claims.csv"), "left by an earlier report\n");
+  std::ostringstream results;
+  for (const ReportPart& part : report_results()) part(read_report_data(folder.path("out")), results);
+  EXPECT_EQ(results.str().find("claims"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder.path("out/claims.csv")));
+  EXPECT_TRUE(std::filesystem::exists(folder.path("out/ratings.csv")));
 }
 
 TEST(Report, ManyFailuresAreFewLines) {
@@ -256,9 +290,36 @@ TEST(Report, ManyFailuresAreFewLines) {
   runs.push_back(failed_run("flip", RunStatus::not_applicable));
   EXPECT_EQ(failure_table(runs),
             "failed    how      runs  first on             message\n"
-            "delaunay  timeout     1  uniform n=10 seed=0\n"
             "sweep     timeout     2  uniform n=30 seed=0  too slow\n"
+            "delaunay  timeout     1  uniform n=10 seed=0\n"
             "sweep     crashed     1  uniform n=10 seed=0\n");
+}
+
+TEST(Report, DifferentBugsAndParametersAreDifferentLines) {
+  std::vector<RunRecord> runs;
+  const auto add = [&](const std::string& params, const std::string& message) {
+    runs.push_back(failed_run("patch", RunStatus::error));
+    runs.back().params = params;
+    runs.back().message = message;
+  };
+  add("k=4", "triangle 17 has no side");
+  add("k=4", "triangle 3 has no side");
+  add("k=4", "its code asks for a parameter 'q'");
+  add("k=14", "triangle 5 has no side");
+  EXPECT_EQ(failure_table(runs),
+            "failed      how    runs  first on             message\n"
+            "patch k=4   error     2  uniform n=10 seed=0  triangle 17 has no side\n"
+            "patch k=14  error     1  uniform n=10 seed=0  triangle 5 has no side\n"
+            "patch k=4   error     1  uniform n=10 seed=0  its code asks for a parameter 'q'\n");
+}
+
+TEST(Report, ThousandsOfKindsOfFailureAreCutShort) {
+  std::vector<RunRecord> runs;
+  for (int i = 0; i < 60; ++i) {
+    runs.push_back(failed_run("patch", RunStatus::error));
+    runs.back().message = std::string(static_cast<std::size_t>(i + 1), 'x');
+  }
+  EXPECT_TRUE(failure_table(runs).ends_with("10 more kinds of failure: see runs.csv\n"));
 }
 
 TEST(Report, WithoutRecordsItIsAMistake) {

@@ -130,4 +130,16 @@ std::string exponents_csv(const std::string& study, const std::vector<SeriesGrow
   return csv_table(study, growth_columns(), rows);
 }
 
+std::string ratings_csv(const std::string& study, const std::vector<RunRecord>& runs) {
+  Columns<RunRecord> columns;
+  columns.emplace_back("run_id", [](const RunRecord& run) { return run.run_id; });
+  columns.emplace_back("optimality", [](const RunRecord& run) { return run.optimality; });
+  columns.emplace_back("alpha_lower", [](const RunRecord& run) { return text_of(run.alpha_lower); });
+  columns.emplace_back("alpha_upper", [](const RunRecord& run) { return text_of(run.alpha_upper); });
+  columns.emplace_back("optimal", [](const RunRecord& run) { return run.optimal; });
+  std::vector<RunRecord> rated = runs;
+  std::erase_if(rated, [](const RunRecord& run) { return run.status != RunStatus::ok; });
+  return csv_table(study, columns, rated);
+}
+
 }  // namespace mwt

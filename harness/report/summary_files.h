@@ -1,4 +1,5 @@
-// summary.csv and exponents.csv: the figures of a report, for programs. results/README.md explains every column.
+// summary.csv, exponents.csv and ratings.csv: the figures of a report, for programs. results/README.md explains every
+// column.
 #pragma once
 
 #include <string>
@@ -14,5 +15,8 @@ namespace mwt {
 
 /// The content of exponents.csv: one row per series and measure that has a law.
 [[nodiscard]] std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth);
+
+/// The content of ratings.csv: one row per run that is ok. `runs` are those of the report, finally_rated().
+[[nodiscard]] std::string ratings_csv(const std::string& study, const std::vector<RunRecord>& runs);
 
 }  // namespace mwt

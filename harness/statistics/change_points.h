@@ -14,10 +14,10 @@
 //
 // What to expect, seen in simulations of 20,000 series of 60 values each (change_points_test.cpp repeats them with
 // fewer): series with a false alarm, in 20,000: 0 for normal noise, 2 for Student's t with 3 and with 2 degrees of
-// freedom and for Laplace's, 9 for skewed noise (exponential), 0 for normal noise with 5% spikes. Noise that remembers
-// is not independent: 42 at an autocorrelation of 0.3, and 1,290 at 0.6, where a level that wanders is hardly told from
-// one that steps. A step of 3.3 times the noise was found in 73% of the series 6 nights later and in 99% 16 nights
-// later, on the very night in 88%; one of 5 times in 93% 4 nights later. A slow drift becomes a staircase.
+// freedom and for Laplace's, 9 for skewed noise (exponential), 0 for normal noise with 5% spikes; of autocorrelated
+// noise, 42 at an autocorrelation of 0.3, and 1,290 at 0.6, where a wandering level hardly differs from a stepping one.
+// A step of 3.3 times the noise was found in 73% of the series 6 nights later and in 99% 16 nights later, on the very
+// night in 88%; one of 5 times in 93% 4 nights later. A slow drift becomes a staircase.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <set>
 #include <utility>
 
@@ -48,7 +49,7 @@ class RunPhase {
     try {
       instance = session_.instances.make(run.instance);
       keys.instance_id = instance->id;
-    } catch (const InputError& error) {
+    } catch (const std::exception& error) {
       record_without_running(std::move(keys), RunStatus::error, std::string("no instance: ") + error.what());
       return;
     }
@@ -66,17 +67,37 @@ class RunPhase {
     }
     const Timing timing{session_.study.min_time_s, session_.study.measures_yardstick};
     start_isolated_run(pool_, request, instance, keys, session_.study.limits, timing, [this, &run](RunRecord ended) {
-      const std::optional<Interval> own_optimum = optimum_of(ended);
-      const bool is_believed = record(std::move(ended));
-      if (is_believed && own_optimum) remember(run, *own_optimum);
+      const bool is_exact = run.algorithm->exactness == Exactness::exact;
+      if (is_exact && ended.certified_lower) compare_with_cache(run, ended);
+      const RunRecord& row = record(std::move(ended));
+      if (is_exact && row.status == RunStatus::ok && row.certified_lower) remember(run, row);
     });
   }
 
+  // The cache may hold what the same solver proved before, although the study does not take it for the optimum.
+  void compare_with_cache(const PlannedRun& run, RunRecord& ended) {
+    if (!session_.cache || ended.status != RunStatus::ok) return;
+    const OptimumKey key = optimum_key(ended.instance_id, *run.algorithm, run.parameters);
+    const std::optional<CachedOptimum> earlier = session_.cache->find(key);
+    if (!earlier) return;
+    OptimumClaims claims;
+    static_cast<void>(claims.add_claim({"cache", session_.cache->path_of(key), earlier->interval}));
+    const Interval own{*ended.certified_lower, ended.weight_upper.value()};
+    for (const Disproof& disproof : claims.add_claim({"run", run.algorithm->name, own})) {
+      if (disproof.claim.id == "run") {
+        reject(ended, disproof);
+      } else {
+        session_.announce(disproof.text() + "; it is thrown out");
+        static_cast<void>(session_.cache->discard_disproved(ended.instance_id, disproof.weight));
+      }
+    }
+  }
+
   // Other studies need not solve the instance again.
-  void remember(const PlannedRun& run, const Interval& optimum) {
-    if (!session_.cache || run.algorithm->exactness != Exactness::exact) return;
-    const RunRecord& row = session_.folder.runs().back();
+  void remember(const PlannedRun& run, const RunRecord& row) {
+    if (!session_.cache) return;
     const OptimumKey key = optimum_key(row.instance_id, *run.algorithm, run.parameters);
+    const Interval optimum{*row.certified_lower, row.weight_upper.value()};
     if (!session_.cache->find(key)) session_.cache->store(key, {optimum, row.wall_time_s.value_or(0)});
   }
 
@@ -122,21 +143,27 @@ class RunPhase {
     record(std::move(run));
   }
 
-  // Completes the row and writes it. False if it contradicts what is known.
-  bool record(RunRecord run) {
-    const std::string label =
-        run.algorithm + " on " + run.generator + " n=" + std::to_string(run.n) + " seed=" + std::to_string(run.seed);
+  // Completes the row, writes it and returns it.
+  const RunRecord& record(RunRecord run) {
+    const std::string instance_label =
+        run.generator + " n=" + std::to_string(run.n) + " seed=" + std::to_string(run.seed);
+    const std::string label = run.algorithm + " on " + instance_label;
     StudyOutcome& outcome = session_.outcome;
-    const bool is_believed = session_.known.rate(run);
-    if (!is_believed) {
+    const std::vector<Disproof> disproofs = session_.known.add(run);
+    for (const Disproof& disproof : disproofs) {
+      if (disproof.claim.id == run.run_id) reject(run, disproof);
+    }
+    session_.known.rate(run);
+    if (is_disproved(run) && disproofs.empty()) {
       ++outcome.contradictions;
       progress_.announce(label + ": " + run.message);
     }
     session_.folder.append(run);
+    session_.settle(run.instance_id, instance_label, disproofs);
     ++outcome.runs;
     if (is_failure(run.status)) ++outcome.failures;
     progress_.advance(is_failure(run.status), label);
-    return is_believed;
+    return session_.folder.runs().back();
   }
 
   StudySession& session_;

@@ -33,14 +33,21 @@ RunStatus status_after(ProcessEnd end) {
   return RunStatus::crashed;
 }
 
+// What a failed run wrote to standard error may say more than its status.
+RunRecord with_errors(RunRecord record, const std::string& error_tail) {
+  if (is_failure(record.status) && !error_tail.empty()) record.message += "; standard error: " + error_tail;
+  return record;
+}
+
 RunRecord record_after(const ProcessResult& process, RunRecord keys) {
   if (process.end == ProcessEnd::finished) {
-    if (std::optional<RunRecord> record = decode(process.output)) return *std::move(record);
+    if (std::optional<RunRecord> record = decode(process.output)) {
+      return with_errors(*std::move(record), process.error_tail);
+    }
   }
   keys.status = status_after(process.end);
   keys.message = process.how.empty() ? "its result was unreadable" : process.how;
-  if (!process.error_tail.empty()) keys.message += ": " + process.error_tail;
-  return keys;
+  return with_errors(std::move(keys), process.error_tail);
 }
 
 }  // namespace

@@ -1,62 +1,133 @@
 #include "harness/study/known_optima.h"
 
-#include "geometry/number_text.h"
+#include <cmath>
+#include <iterator>
+
 #include "harness/quality.h"
 
 namespace mwt {
 
 namespace {
 
-std::string text_of(const Interval& interval) {
-  return '[' + number_text(interval.lower) + ", " + number_text(interval.upper) + ']';
+// A lower bound that says nothing is no claim.
+bool is_claim(const std::optional<double>& lower) { return lower && *lower > 0 && std::isfinite(*lower); }
+
+std::string solver_of(const RunRecord& run) {
+  return run.params.empty() ? run.algorithm : run.algorithm + ' ' + run.params;
 }
 
-void reject(RunRecord& record, const Interval& known, const std::string& own) {
-  record.status = RunStatus::error;
-  record.message = "CONTRADICTION: " + own + " excludes the certified optimum " + text_of(known);
+std::string solver_of(const InstanceRecord& instance) {
+  const bool is_cached = instance.optimum_note == kCachedNote;
+  return is_cached ? cached_claimant(instance.optimum_source) : instance.optimum_source;
+}
+
+void clear_rating(RunRecord& record) {
   record.optimum_lower.reset();
   record.optimum_upper.reset();
+  record.optimality.clear();
+  record.alpha_lower.reset();
+  record.alpha_upper.reset();
+  record.optimal.clear();
+}
+
+void append(std::vector<Disproof>& all, std::vector<Disproof> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 }  // namespace
 
-bool KnownOptima::add(const std::string& instance_id, const Interval& bounds) {
-  const auto [entry, is_new] = bounds_.try_emplace(instance_id, bounds);
-  if (is_new) return true;
-  const std::optional<Interval> common = intersection(entry->second, bounds);
-  if (common) entry->second = *common;
-  return common.has_value();
+std::vector<Disproof> KnownOptima::add(const InstanceRecord& record) {
+  if (!is_claim(record.optimum_lower) || !record.optimum_upper) return {};
+  return instances_[record.instance_id].add_claim(
+      {record.instance_id, solver_of(record), {*record.optimum_lower, *record.optimum_upper}});
+}
+
+std::vector<Disproof> KnownOptima::add(const RunRecord& record) {
+  if (record.status != RunStatus::ok || !record.weight_upper) return {};
+  OptimumClaims& claims = instances_[record.instance_id];
+  if (!is_claim(record.certified_lower)) return claims.add_weight({solver_of(record), *record.weight_upper});
+  return claims.add_claim({record.run_id, solver_of(record), {*record.certified_lower, *record.weight_upper}});
 }
 
 std::optional<Interval> KnownOptima::of(const std::string& instance_id) const {
-  const auto entry = bounds_.find(instance_id);
-  if (entry == bounds_.end()) return std::nullopt;
-  return entry->second;
+  const auto entry = instances_.find(instance_id);
+  return entry == instances_.end() ? std::nullopt : entry->second.bounds();
 }
 
-bool KnownOptima::rate(RunRecord& record) {
-  if (record.status != RunStatus::ok) return true;
+std::optional<KnownWeight> KnownOptima::lightest_of(const std::string& instance_id) const {
+  const auto entry = instances_.find(instance_id);
+  return entry == instances_.end() ? std::nullopt : entry->second.lightest();
+}
+
+void KnownOptima::rate(RunRecord& record) const {
+  if (record.status != RunStatus::ok) return;
+  clear_rating(record);
   const Interval weight{record.weight_lower.value(), record.weight_upper.value()};
-  const std::optional<Interval> own = optimum_of(record);
-  if (own && !add(record.instance_id, *own)) {
-    reject(record, *of(record.instance_id), "its certified optimum " + text_of(*own));
-    return false;
-  }
-  const std::optional<Interval> before = of(record.instance_id);
-  if (before && !add(record.instance_id, {before->lower, weight.upper})) {
-    reject(record, *before, "its weight " + text_of(weight));
-    return false;
-  }
   const std::optional<Interval> optimum = of(record.instance_id);
   record.optimality = name_of(optimality_of(optimum));
   record.optimal = name_of(is_optimal(weight, optimum));
-  if (!optimum) return true;
+  if (!optimum) return;
   const Interval alpha = alpha_of(weight, *optimum);
   record.optimum_lower = optimum->lower;
   record.optimum_upper = optimum->upper;
   record.alpha_lower = alpha.lower;
   record.alpha_upper = alpha.upper;
-  return true;
+}
+
+bool is_disproved(const RunRecord& record) {
+  return record.status == RunStatus::error && record.message.starts_with(kContradiction);
+}
+
+bool is_disproved(const InstanceRecord& record) { return record.optimum_note.starts_with(kContradiction); }
+
+void reject(RunRecord& record, const Disproof& disproof) {
+  record.status = RunStatus::error;
+  record.message = disproof.text();
+  record.yardstick_time_s.reset();
+  clear_rating(record);
+}
+
+void reject(InstanceRecord& record, const Disproof& disproof) {
+  record.optimum_lower.reset();
+  record.optimum_upper.reset();
+  record.optimality = name_of(Optimality::none);
+  record.optimum_source.clear();
+  record.optimum_note = disproof.text();
+}
+
+std::vector<Disproof> reject_disproved(std::vector<RunRecord>& runs, std::vector<InstanceRecord>& instances) {
+  KnownOptima known;
+  std::vector<Disproof> disproofs;
+  for (const InstanceRecord& instance : instances) append(disproofs, known.add(instance));
+  for (const RunRecord& run : runs) append(disproofs, known.add(run));
+  std::map<std::string, const Disproof*> by_claim;
+  for (const Disproof& disproof : disproofs) by_claim.emplace(disproof.claim.id, &disproof);
+  std::set<std::string> unrated;  // instances whose ratings may rest on what was disproved
+  for (InstanceRecord& instance : instances) {
+    const auto disproof = by_claim.find(instance.instance_id);
+    if (disproof == by_claim.end()) continue;
+    reject(instance, *disproof->second);
+    unrated.insert(instance.instance_id);
+  }
+  for (RunRecord& run : runs) {
+    const auto disproof = by_claim.find(run.run_id);
+    if (disproof == by_claim.end()) continue;
+    reject(run, *disproof->second);
+    unrated.insert(run.instance_id);
+  }
+  for (RunRecord& run : runs) {
+    if (unrated.contains(run.instance_id)) known.rate(run);
+  }
+  return disproofs;
+}
+
+void rate_all(std::vector<RunRecord>& runs, const std::vector<InstanceRecord>& instances) {
+  KnownOptima known;
+  for (const InstanceRecord& instance : instances) static_cast<void>(known.add(instance));
+  for (const RunRecord& run : runs) static_cast<void>(known.add(run));
+  for (RunRecord& run : runs) {
+    if (known.of(run.instance_id)) known.rate(run);
+  }
 }
 
 }  // namespace mwt

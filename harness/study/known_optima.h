@@ -1,29 +1,53 @@
-// What a study has certified so far about the optimum of every instance, and what that says about a run.
+// What a study has certified so far about the optimum of every instance, and what that says about its rows.
 #pragma once
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "geometry/interval.h"
+#include "harness/optimum_claims.h"
 #include "harness/records.h"
 
 namespace mwt {
 
+/// A run's claim has its run_id as id, an instance's the instance_id.
 class KnownOptima {
  public:
-  /// Adds certified bounds. False, and nothing changes, if they contradict what is known.
-  [[nodiscard]] bool add(const std::string& instance_id, const Interval& bounds);
+  /// Takes in what a row certifies: the optimum of an instance; the weight of a run that is ok, and what its algorithm
+  /// certified. Returns the claims that are disproved now, perhaps the row's own; they count no more.
+  [[nodiscard]] std::vector<Disproof> add(const InstanceRecord& record);
+  [[nodiscard]] std::vector<Disproof> add(const RunRecord& record);
 
+  /// The best bounds that stand.
   [[nodiscard]] std::optional<Interval> of(const std::string& instance_id) const;
 
-  /// Completes a run's row: takes in the bounds that the run certified itself (record.optimum_*) and its weight as an
-  /// upper end, then fills in optimum, optimality, alpha and optimal. Rows without a triangulation stay as they are.
-  /// A contradiction makes the row an error; returns false then.
-  [[nodiscard]] bool rate(RunRecord& record);
+  /// The lightest triangulation known.
+  [[nodiscard]] std::optional<KnownWeight> lightest_of(const std::string& instance_id) const;
+
+  /// Fills in optimum, optimality, alpha and optimal of a run that is ok and was added; other rows stay as they are.
+  void rate(RunRecord& record) const;
 
  private:
-  std::map<std::string, Interval> bounds_;
+  std::map<std::string, OptimumClaims> instances_;
 };
+
+/// Whether the row says that what it certified is disproved.
+[[nodiscard]] bool is_disproved(const RunRecord& record);
+[[nodiscard]] bool is_disproved(const InstanceRecord& record);
+
+/// Makes the row of a disproved claim an error, without a rating, or an instance without an optimum.
+void reject(RunRecord& record, const Disproof& disproof);
+void reject(InstanceRecord& record, const Disproof& disproof);
+
+/// Rejects the rows whose claims recorded triangulations disprove, and rates the other runs on their instances by what
+/// stands. Returns the disproved claims.
+std::vector<Disproof> reject_disproved(std::vector<RunRecord>& runs, std::vector<InstanceRecord>& instances);
+
+/// Rates the runs by all that the records certify together; those on instances without any bound stay as they are.
+/// Precondition: no claim in the records is disproved.
+void rate_all(std::vector<RunRecord>& runs, const std::vector<InstanceRecord>& instances);
 
 }  // namespace mwt

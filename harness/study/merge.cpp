@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -23,8 +22,7 @@ struct Part {
 };
 
 std::string label_of(const RunRecord& run) {
-  return run.algorithm + (run.params.empty() ? "" : " " + run.params) + " on " + run.generator +
-         " n=" + std::to_string(run.n) + " seed=" + std::to_string(run.seed) +
+  return run.algorithm + (run.params.empty() ? "" : " " + run.params) + " on " + label_of_instance(run) +
          " repetition=" + std::to_string(run.repetition);
 }
 
@@ -34,7 +32,7 @@ std::string label_of(const PlannedRun& run, const Plan& plan) {
          plan.instances[run.instance].label() + " repetition=" + std::to_string(run.repetition);
 }
 
-// A study that still runs would be told as a gap: the lock tells it as what it is.
+// A study that still runs would look like a gap: its lock shows that it runs.
 std::vector<Part> read_parts(const MergeOptions& options) {
   std::vector<Part> parts;
   for (const std::string& folder : options.folders) {
@@ -64,22 +62,57 @@ void require_one_commit(const std::vector<Part>& parts) {
                    " and " + other + "); run one again, or mix the two with --accept-other-build");
 }
 
+using InstanceName = std::tuple<std::string, std::string, Index, std::uint64_t>;
+
+template <class Record>
+InstanceName name_of(const Record& record) {
+  return {record.generator, record.generator_params, record.n, record.seed};
+}
+
+// A point file that differs between two machines gives one name to two instances.
+void require_same_points(const std::vector<RunRecord>& runs, const std::vector<InstanceRecord>& instances) {
+  std::map<InstanceName, std::string> ids;
+  const auto require = [&](const auto& record) {
+    if (record.instance_id.empty()) return;
+    const auto entry = ids.try_emplace(name_of(record), record.instance_id).first;
+    if (entry->second == record.instance_id) return;
+    throw InputError("the shards have different points under one name, " + label_of_instance(record) + ": " +
+                     entry->second + " and " + record.instance_id + "; run the study anew with the same files");
+  };
+  for (const RunRecord& run : runs) require(run);
+  for (const InstanceRecord& instance : instances) require(instance);
+}
+
+struct MergedRecords {
+  StudyRecords records;
+  std::vector<std::string> contradictions;
+};
+
 class Merger {
  public:
   Merger(const std::vector<Part>& parts, Plan plan) : parts_(parts), plan_(std::move(plan)) {}
 
-  StudyRecords merge() {
-    StudyRecords merged;
+  MergedRecords merge() {
+    MergedRecords result;
+    StudyRecords& merged = result.records;
     merged.study_file = parts_.front().records.study_file;
     collect_runs();
     require_all_runs();
     for (const PlannedRun& run : plan_.runs) merged.runs.push_back(*runs_.at(run.run_id).first);
-    merged.instances = instances_in_order();
+    std::vector<InstanceRecord> instances;
+    for (const Part& part : parts_) {
+      instances.insert(instances.end(), part.records.instances.begin(), part.records.instances.end());
+    }
+    require_same_points(merged.runs, instances);
+    for (const Disproof& disproof : reject_disproved(merged.runs, instances)) {
+      result.contradictions.push_back(disproof.text());
+    }
+    merged.instances = in_order(instances);
     for (const Part& part : parts_) {
       merged.environments.insert(merged.environments.end(), part.records.environments.begin(),
                                  part.records.environments.end());
     }
-    return merged;
+    return result;
   }
 
  private:
@@ -114,19 +147,10 @@ class Merger {
     }
   }
 
-  [[nodiscard]] std::vector<InstanceRecord> instances_in_order() const {
-    using Key = std::tuple<std::string, std::string, Index, std::uint64_t>;
-    std::map<Key, const InstanceRecord*> rows;
-    KnownOptima known;
-    for (const Part& part : parts_) {
-      for (const InstanceRecord& row : part.records.instances) {
-        rows[{row.generator, row.generator_params, row.n, row.seed}] = &row;
-        const auto bounds = optimum_of(row);
-        if (!bounds || known.add(row.instance_id, *bounds)) continue;
-        throw std::logic_error("CONTRADICTION: certified optima of instance " + row.instance_id +
-                               " exclude each other, the last in " + part.folder);
-      }
-    }
+  // Of instances with the same points the first in the plan's order.
+  [[nodiscard]] std::vector<InstanceRecord> in_order(const std::vector<InstanceRecord>& instances) const {
+    std::map<InstanceName, const InstanceRecord*> rows;
+    for (const InstanceRecord& row : instances) rows[name_of(row)] = &row;
     std::vector<InstanceRecord> ordered;
     std::set<std::string> seen;
     for (const PlannedInstance& planned : plan_.instances) {
@@ -143,14 +167,20 @@ class Merger {
 
 }  // namespace
 
-std::size_t merge_results(const MergeOptions& options, const Catalogue& catalogue) {
+MergeOutcome merge_results(const MergeOptions& options, const Catalogue& catalogue) {
   const std::vector<Part> parts = read_parts(options);
   require_one_study(parts);
   if (!options.accepts_other_build) require_one_commit(parts);
   const Study study = read_study(options.folders.front() + "/study.toml", options.instance_folder);
-  const StudyRecords merged = Merger(parts, make_plan(study, catalogue)).merge();
-  write_records(options.target, merged);
-  return merged.runs.size();
+  MergedRecords merged = Merger(parts, make_plan(study, catalogue)).merge();
+  write_records(options.target, merged.records);
+  MergeOutcome outcome;
+  outcome.runs = merged.records.runs.size();
+  outcome.contradictions = std::move(merged.contradictions);
+  for (const Part& part : parts) {
+    outcome.warnings.insert(outcome.warnings.end(), part.records.warnings.begin(), part.records.warnings.end());
+  }
+  return outcome;
 }
 
 }  // namespace mwt

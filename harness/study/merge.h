@@ -16,12 +16,18 @@ struct MergeOptions {
   bool accepts_other_build = false;            ///< whether shards of several commits may be joined
 };
 
+struct MergeOutcome {
+  std::size_t runs = 0;
+  std::vector<std::string> contradictions;  ///< claims about optima that a triangulation of another shard disproves
+  std::vector<std::string> warnings;
+};
+
 /// Writes `target`: rows of runs and instances in the order of the study's plan, as a single run would have written
-/// them; of equal instances the first. Returns the number of runs.
+/// them; of equal instances the first. Disproved claims become errors (known_optima.h).
 ///
 /// Throws InputError, and writes nothing: a folder without records, of another schema version, or in use; folders of
-/// different studies or commits; a run in two folders, or not of the study (overlap); a planned run in none (gap).
-/// Throws std::logic_error if certified optima of one instance exclude each other: a solver is wrong.
-std::size_t merge_results(const MergeOptions& options, const Catalogue& catalogue);
+/// different studies or commits, or with different points under one name; a run in two folders, or not of the study
+/// (overlap); a planned run in none (gap).
+MergeOutcome merge_results(const MergeOptions& options, const Catalogue& catalogue);
 
 }  // namespace mwt

@@ -50,7 +50,7 @@ class Merge : public ::testing::Test {
     MergeOptions options;
     for (const std::string& name : names) options.folders.push_back(folder_.path(name));
     options.target = folder_.path("merged");
-    return merge_results(options, testing::test_catalogue());
+    return merge_results(options, testing::test_catalogue()).runs;
   }
 
   void expect_refusal(const std::vector<std::string>& names, const std::string& part) {

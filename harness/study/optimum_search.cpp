@@ -5,9 +5,12 @@
 #include <utility>
 
 #include "geometry/error.h"
+#include "geometry/number_text.h"
 #include "harness/quality.h"
 #include "harness/study/isolated_run.h"
+#include "harness/study/known_optima.h"
 #include "harness/study/plan.h"
+#include "harness/text.h"
 
 namespace mwt {
 
@@ -23,6 +26,7 @@ struct Search : std::enable_shared_from_this<Search> {
   std::function<void(FoundOptimum)> when_done;
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
   std::size_t next = 0;
+  OptimumClaims claims;
   FoundOptimum found;
 
   explicit Search(ProcessPool& p) : pool(p) {}
@@ -34,24 +38,29 @@ struct Search : std::enable_shared_from_this<Search> {
 
   // All keys before any search: whichever source proved the optimum, it is proved.
   void look_up() {
+    OptimumClaims cached = claims;
     for (const AlgorithmInfo* source : sources) {
-      const std::optional<CachedOptimum> entry = cache->find(key_of(*source));
+      const OptimumKey key = key_of(*source);
+      const std::optional<CachedOptimum> entry = cache->find(key);
       if (!entry) continue;
-      combine(source->name, entry->interval);
-      found.is_cached = true;
+      const OptimumClaim claim{source->name, cached_claimant(source->name), entry->interval};
+      for (const Disproof& disproof : cached.add_claim(claim)) {
+        found.warnings.push_back(disproof.text() + "; the optimum is sought anew");
+      }
     }
-    if (found.contradiction) note("both in the optimum cache " + cache->folder());
+    if (!found.warnings.empty()) return;
+    claims = cached;
+    found.is_cached = is_proved();
   }
 
   [[nodiscard]] OptimumKey key_of(const AlgorithmInfo& source) const {
     return optimum_key(instance->id, source, Parameters(source.name, source.parameters, {}));
   }
 
-  [[nodiscard]] bool is_proved() const { return optimality_of(found.interval) == Optimality::proved; }
+  [[nodiscard]] bool is_proved() const { return optimality_of(claims.bounds()) == Optimality::proved; }
 
   void ask_next_source() {
-    const bool is_settled = found.contradiction || is_proved();
-    if (is_settled || next == sources.size()) {
+    if (is_proved() || next == sources.size()) {
       finish();
       return;
     }
@@ -60,39 +69,66 @@ struct Search : std::enable_shared_from_this<Search> {
     request.algorithm = &source;
     request.parameters = Parameters(source.name, source.parameters, {});
     request.time_limit_s = limits.time_s;
+    RunRecord keys;
+    keys.algorithm = source.name;
     const Timing once{1e-9, false};
-    start_isolated_run(pool, request, instance, {}, limits, once,
+    start_isolated_run(pool, request, instance, keys, limits, once,
                        [self = shared_from_this(), &source](const RunRecord& record) { self->take(source, record); });
   }
 
   void take(const AlgorithmInfo& source, const RunRecord& record) {
-    if (const std::optional<Interval> bounds = optimum_of(record)) {
-      combine(source.name, *bounds);
-      if (cache && !found.contradiction) cache->store(key_of(source), {*bounds, record.wall_time_s.value_or(0)});
-    } else {
-      note(source.name + ": " + std::string(name_of(record.status)) +
-           (record.message.empty() ? "" : ", " + record.message));
-    }
+    note(source.name + ": " + answer_of(record));
+    if (is_disproved(record)) found.contradictions.push_back(record.message);
+    if (record.status == RunStatus::ok) believe(source, record);
     ask_next_source();
   }
 
-  void combine(const std::string& source, const Interval& bounds) {
-    if (!found.interval) {
-      found.interval = bounds;
-      found.source = source;
+  void believe(const AlgorithmInfo& source, const RunRecord& record) {
+    const double weight = record.weight_upper.value();
+    if (!record.certified_lower) {
+      add(claims.add_weight({source.name, weight}));
       return;
     }
-    const std::optional<Interval> common = intersection(*found.interval, bounds);
-    found.contradiction = !common;
-    if (!common) note("CONTRADICTION between " + found.source + " and " + source);
-    found.interval = common;
-    found.source += '+' + source;
+    const OptimumClaim claim{source.name, source.name, {*record.certified_lower, weight}};
+    const std::vector<Disproof> disproofs = claims.add_claim(claim);
+    add(disproofs);
+    const bool stands = std::none_of(disproofs.begin(), disproofs.end(),
+                                     [&](const Disproof& disproof) { return disproof.claim.id == claim.id; });
+    if (cache && stands) cache->store(key_of(source), {claim.bounds, record.wall_time_s.value_or(0)});
+  }
+
+  void add(const std::vector<Disproof>& disproofs) {
+    for (const Disproof& disproof : disproofs) found.contradictions.push_back(disproof.text());
+  }
+
+  // For the note on an optimum that is not proved in the end.
+  static std::string answer_of(const RunRecord& record) {
+    if (record.status != RunStatus::ok) {
+      return std::string(name_of(record.status)) + (record.message.empty() ? "" : ", " + record.message);
+    }
+    if (!record.certified_lower) return "no bounds";
+    return "bounds " + number_text(*record.certified_lower) + " to " + number_text(record.weight_upper.value()) +
+           (record.stopped_early.value_or(false) ? ", stopped early" : "");
   }
 
   void note(const std::string& text) { found.note += (found.note.empty() ? "" : "; ") + text; }
 
+  [[nodiscard]] std::string standing_sources() const {
+    std::vector<std::string> names;
+    for (const OptimumClaim& claim : claims.standing()) names.push_back(claim.id);
+    return joined(names, "+");
+  }
+
   void finish() {
-    if (is_proved()) found.note = found.is_cached ? "cached" : "";
+    found.interval = claims.bounds();
+    found.source = standing_sources();
+    if (is_proved()) found.note = found.is_cached ? kCachedNote : "";
+    if (!found.contradictions.empty()) {
+      found.note = joined(found.contradictions, "; ") + (found.note.empty() ? "" : "; ") + found.note;
+    }
+    if (!found.warnings.empty() && claims.lightest()) {
+      static_cast<void>(cache->discard_disproved(instance->id, claims.lightest()->weight));
+    }
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
     found.time_s = elapsed.count();
     when_done(std::move(found));
@@ -138,13 +174,14 @@ OptimumKey optimum_key(const std::string& instance_id, const AlgorithmInfo& solv
 
 void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
                   std::vector<const AlgorithmInfo*> sources, const RunLimits& limits, OptimumCache* cache,
-                  std::function<void(FoundOptimum)> when_done) {
+                  const std::optional<KnownWeight>& known, std::function<void(FoundOptimum)> when_done) {
   const auto search = std::make_shared<Search>(pool);
   search->instance = std::move(instance);
   search->sources = std::move(sources);
   search->limits = limits;
   search->cache = cache;
   search->when_done = std::move(when_done);
+  if (known) static_cast<void>(search->claims.add_weight(*known));
   search->begin_search();
 }
 

@@ -10,6 +10,7 @@
 #include "harness/catalogue.h"
 #include "harness/execution.h"
 #include "harness/optimum_cache.h"
+#include "harness/optimum_claims.h"
 #include "harness/study/process_pool.h"
 #include "harness/study/study.h"
 
@@ -17,11 +18,12 @@ namespace mwt {
 
 struct FoundOptimum {
   std::optional<Interval> interval;
-  std::string source;          ///< the algorithm whose bounds these are; several joined by '+'
-  double time_s = 0;           ///< of the search
-  bool is_cached = false;      ///< at least partly from the optimum cache
-  std::string note;            ///< why there is no proved optimum; "cached" if the cache had it
-  bool contradiction = false;  ///< two sources certified intervals that do not overlap: one of them is wrong
+  std::string source;      ///< the algorithms whose bounds these are, joined by '+'
+  double time_s = 0;       ///< of the search
+  bool is_cached = false;  ///< from the optimum cache
+  std::string note;        ///< without a proved optimum, what each source that was asked said; kCachedNote if so
+  std::vector<std::string> contradictions{};  ///< claims of sources that a triangulation disproves; in the note, too
+  std::vector<std::string> warnings{};        ///< about entries of the cache that are not believed
 };
 
 /// The algorithms to ask for the optimum of n points, in order: those of `sources` whose limits admit n, or, if that
@@ -38,9 +40,11 @@ struct FoundOptimum {
 
 /// Asks one source after the other, each in a process of its own, until one proves the optimum; bounds from those that
 /// do not are kept and combined. What the cache has for any of the sources comes first, what one of them proves goes
-/// into it; null: no cache. Precondition: the pool is not full.
+/// into it; null: no cache. Claims that a triangulation disproves, the known one or that of another source, do not
+/// count; if one of them is in the cache, nothing there counts, the optimum is sought anew, and what is disproved in
+/// the end is thrown out. Precondition: the pool is not full.
 void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
                   std::vector<const AlgorithmInfo*> sources, const RunLimits& limits, OptimumCache* cache,
-                  std::function<void(FoundOptimum)> when_done);
+                  const std::optional<KnownWeight>& known, std::function<void(FoundOptimum)> when_done);
 
 }  // namespace mwt

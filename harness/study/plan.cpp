@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "generators/generation.h"
 #include "geometry/error.h"
 #include "geometry/point_file.h"
 #include "geometry/point_set.h"
@@ -52,20 +53,34 @@ struct Source {
   std::uint64_t seed;
 };
 
-// The nearest n of which the family has an instance, the smaller one of two; 0 if there is none near.
+// Whether the family has an instance of n points. A family that fails has one, so that its runs tell the failure.
+// Throws NotEnoughMemory.
+bool has_instance(const Source& source, Index n, std::string& complaint) {
+  try {
+    const auto points = generate_points(source.family, n, source.seed, source.parameters);
+    static_cast<void>(make_point_set(points, source.family.name));
+    return true;
+  } catch (const NotEnoughMemory&) {
+    throw;
+  } catch (const InputError& error) {
+    complaint = error.what();
+    return false;
+  } catch (const GeneratorFailure&) {
+    return true;
+  }
+}
+
+// The nearest n of which the family has an instance, the smaller one of two; 0 if there is none near. `complaint` is
+// what the family says of `wanted` itself.
 Index nearest_legal_n(const Source& source, Index wanted, std::string& complaint) {
+  if (has_instance(source, wanted, complaint)) return wanted;
+  std::string ignored;
   const Index reach = std::max<Index>(5, wanted / 8);
-  for (Index distance = 0; distance <= reach; ++distance) {
-    for (const std::int64_t n : {std::int64_t{wanted} - distance, std::int64_t{wanted} + distance}) {
-      if (n < 1) continue;
-      try {
-        const auto points = generate_points(source.family, static_cast<Index>(n), source.seed, source.parameters);
-        static_cast<void>(make_point_set(points, source.family.name));
-        return static_cast<Index>(n);
-      } catch (const InputError& error) {
-        complaint = error.what();
-      }
-    }
+  for (Index distance = 1; distance <= reach; ++distance) {
+    const bool has_smaller = wanted > distance && has_instance(source, wanted - distance, ignored);
+    if (has_smaller) return wanted - distance;
+    const bool has_larger = wanted < kNoIndex - distance && has_instance(source, wanted + distance, ignored);
+    if (has_larger) return wanted + distance;
   }
   return 0;
 }
@@ -127,9 +142,10 @@ class Planner {
   }
 
   Index legal_n(const Source& source, Index wanted) {
-    std::string complaint = "no instance near that size";
+    std::string complaint;
     const Index n = nearest_legal_n(source, wanted, complaint);
-    const std::string& family = source.family.name;
+    const std::string parameters = source.parameters.canonical();
+    const std::string family = source.family.name + (parameters.empty() ? "" : ' ' + parameters);
     if (n == 0) plan_.notes.push_back("left out: " + family + " n=" + std::to_string(wanted) + ": " + complaint);
     if (n != 0 && n != wanted) {
       plan_.notes.push_back(family + " has no n=" + std::to_string(wanted) + "; taken: n=" + std::to_string(n));
@@ -143,8 +159,8 @@ class Planner {
       try {
         const std::vector<Point> points = read_points(path);
         static_cast<void>(make_point_set(points, path));
-        add_instance({kFileGenerator, "file=" + name, static_cast<Index>(points.size()), study_.seeds.front(),
-                      [path] { return read_points(path); }});
+        add_instance({kFileGenerator, canonical_parameter("file", name), static_cast<Index>(points.size()),
+                      study_.seeds.front(), [path] { return read_points(path); }});
       } catch (const InputError& error) {
         plan_.notes.push_back(std::string("left out: ") + error.what());
       }

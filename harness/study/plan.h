@@ -41,7 +41,7 @@ struct Plan {
   std::vector<std::string> notes;  ///< what was left out or changed, for the user
 };
 
-/// A named instance (fixed n) is planned once, a family that no seed changes and a file with the first seed only. A
+/// A named instance (fixed n) is planned once, an unseeded family and a file with the first seed only. A
 /// size that the family does not have becomes the nearest one it has within an eighth (at least 5), or is left out with
 /// a note, as is a file without usable points. Equal cells are planned once. Generates one instance per family and
 /// size, and reads every file, to find out.

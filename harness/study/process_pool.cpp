@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cmath>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <system_error>
 #include <utility>
@@ -71,12 +71,25 @@ void limit(__rlimit_resource_t resource, std::uint64_t soft, std::uint64_t hard)
 
 // Data, not address space: an address space limit would count the parent's mappings and libraries, and sanitizers
 // reserve terabytes of it. What the child inherited is added, so that the limit is the work's own.
+//
+// The CPU limit is not among these: under RLIMIT_CPU the kernel updates a process's CPU clock at scheduler ticks only,
+// milliseconds apart, and the clock is what times are taken with. The parent watches the CPU time instead.
 void impose(const ProcessLimits& limits) {
-  const auto cpu_s = static_cast<std::uint64_t>(std::ceil(limits.cpu_s));
-  limit(RLIMIT_CPU, cpu_s, cpu_s + 2);
   const std::uint64_t inherited = kilobytes_in("/proc/self/status", "VmData:").value_or(0) * 1024;
   limit(RLIMIT_DATA, inherited + limits.memory_bytes, inherited + limits.memory_bytes);
   limit(RLIMIT_CORE, 0, 0);
+}
+
+// The CPU time of a child so far; 0 if it cannot be read, because the child has ended.
+double cpu_time_of(pid_t child) {
+  clockid_t clock{};
+  std::timespec time{};
+  if (clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Clock::duration duration_of(double seconds) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 [[noreturn]] void run_in_child(const ProcessPool::Work& work, const ProcessLimits& limits, int result, int errors,
@@ -109,6 +122,8 @@ struct ProcessPool::Child {
   int output_pipe = -1;
   int error_pipe = -1;
   Clock::time_point kill_at;
+  Clock::time_point check_cpu_at;
+  double cpu_s = 0;
   bool stopped = false;
   std::string output;
   std::string errors;
@@ -119,6 +134,22 @@ struct ProcessPool::Child {
     drain(error_pipe, errors);
     if (errors.size() > kErrorTailSize) errors.erase(0, errors.size() - kErrorTailSize);
     if (output.size() > kLargestOutput) stop();
+  }
+
+  // Sets when it can have used so much more CPU time at the earliest, on all CPUs at once.
+  void check_cpu_after(double cpu_left_s) {
+    constexpr double kShortestPause = 0.01;
+    static const double cpus = static_cast<double>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
+    check_cpu_at = Clock::now() + duration_of(std::max(kShortestPause, cpu_left_s / cpus));
+  }
+
+  void enforce_limits() {
+    const Clock::time_point now = Clock::now();
+    if (now >= kill_at) return stop();
+    if (now < check_cpu_at) return;
+    const double cpu_left_s = cpu_s - cpu_time_of(pid);
+    if (cpu_left_s <= 0) return stop();
+    check_cpu_after(cpu_left_s);
   }
 
   void stop() {
@@ -150,7 +181,7 @@ struct ProcessPool::Child {
       const int number = WTERMSIG(wait_status);
       result.how = "signal " + std::to_string(number) + " (" + strsignal(number) + ")";
       if (number == SIGKILL) result.end = ProcessEnd::killed;
-      if (stopped || number == SIGXCPU) result.end = ProcessEnd::stopped_at_limit;
+      if (stopped || number == SIGXCPU) result.end = ProcessEnd::stopped_at_limit;  // SIGXCPU: by a shell's ulimit -t
     } else if (WEXITSTATUS(wait_status) == 0 && !output.empty()) {
       result.end = ProcessEnd::finished;
     } else {
@@ -185,8 +216,9 @@ void ProcessPool::start(const Work& work, const ProcessLimits& limits, WhenDone 
   child.exit_watch = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
   child.output_pipe = output.read_end;
   child.error_pipe = errors.read_end;
-  child.kill_at =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limits.wall_s));
+  child.kill_at = Clock::now() + duration_of(limits.wall_s);
+  child.cpu_s = limits.cpu_s;
+  child.check_cpu_after(limits.cpu_s);
   child.when_done = std::move(when_done);
   if (child.exit_watch < 0) throw std::system_error(errno, std::generic_category(), "pidfd_open");
   children_.push_back(std::move(child));
@@ -196,7 +228,7 @@ void ProcessPool::wait(std::chrono::milliseconds patience) {
   Clock::time_point wake_at = Clock::now() + patience;
   std::vector<pollfd> watched;
   for (const Child& child : children_) {
-    if (!child.stopped) wake_at = std::min(wake_at, child.kill_at);
+    if (!child.stopped) wake_at = std::min({wake_at, child.kill_at, child.check_cpu_at});
     for (const int descriptor : {child.exit_watch, child.output_pipe, child.error_pipe}) {
       watched.push_back({descriptor, POLLIN, 0});
     }
@@ -211,8 +243,8 @@ void ProcessPool::wait(std::chrono::milliseconds patience) {
     const bool has_ended = (watched[position].revents & POLLIN) != 0;
     if (has_ended) {
       ended.splice(ended.end(), children_, current);
-    } else if (!current->stopped && Clock::now() >= current->kill_at) {
-      current->stop();
+    } else if (!current->stopped) {
+      current->enforce_limits();
     }
   }
   for (Child& child : ended) child.when_done(child.collect());  // which may start others

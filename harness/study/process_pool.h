@@ -11,13 +11,13 @@ namespace mwt {
 
 struct ProcessLimits {
   double wall_s = 0;               ///< killed (the whole group) when it has run this long
-  double cpu_s = 0;                ///< CPU seconds over all its threads, rounded up
+  double cpu_s = 0;                ///< killed likewise when all its threads together have used so much CPU time
   std::uint64_t memory_bytes = 0;  ///< data it may allocate beyond what it has when it begins
 };
 
 enum class ProcessEnd {
   finished,          ///< sent its result
-  stopped_at_limit,  ///< killed by the parent at wall_s, or by the system at cpu_s
+  stopped_at_limit,  ///< killed by the parent at wall_s or cpu_s
   killed,            ///< by SIGKILL that the parent did not send: usually the system, out of memory
   crashed,           ///< any other signal, or it exited without a result
 };

@@ -98,6 +98,26 @@ TEST(ProcessPool, StopsAtTheCpuLimit) {
   EXPECT_EQ(result.end, ProcessEnd::stopped_at_limit);
 }
 
+// A limit of CPU time set in the child itself would let its CPU clock stand still between scheduler ticks.
+TEST(ProcessPool, TheCpuClockOfAChildDoesNotTick) {
+  const ProcessResult result = run([] {
+    const auto cpu_time = [] {
+      timespec time{};
+      clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+      return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+    };
+    int steps = 0;
+    const auto begin = cpu_time();
+    for (auto last = begin; last < begin + 20ms;) {
+      const auto next = cpu_time();
+      if (next != last) ++steps;
+      last = next;
+    }
+    return std::to_string(steps);
+  });
+  EXPECT_GT(std::stoi(result.output), 200) << "of 20 ms: one that ticks makes 2 to 20 steps";
+}
+
 TEST(ProcessPool, AKillByOthersIsToldApart) {
   const ProcessResult result = run([]() -> std::string {
     kill(getpid(), SIGKILL);

@@ -4,13 +4,17 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 
 #include "geometry/error.h"
 #include "geometry/input_file.h"
 #include "geometry/output_file.h"
+#include "harness/study/known_optima.h"
 
 namespace mwt {
 
@@ -18,16 +22,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kRuns = "runs.csv";
+constexpr const char* kInstances = "instances.csv";
+constexpr const char* kEnvironments = "environments.csv";
+constexpr const char* kStudyFile = "study.toml";
+
+std::string in_folder(const std::string& folder, const char* name) { return (fs::path(folder) / name).string(); }
+
 template <class Record>
 std::vector<Record> records_of(const std::vector<CsvRow>& rows, const std::vector<Column<Record>>& columns,
                                const std::string& file) {
   std::vector<Record> records;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::optional<Record> record = from_row(columns, rows[i]);
-    if (!record) throw InputError(file + ":" + std::to_string(i + 2) + ": malformed row");
+    if (!record) {
+      throw InputError(file + ":" + std::to_string(i + 2) +
+                       ": malformed row; mend it, or delete the line and let mwt run --resume run it again");
+    }
     records.push_back(*std::move(record));
   }
   return records;
+}
+
+template <class Record>
+std::vector<CsvRow> rows_of(const std::vector<Record>& records, const std::vector<Column<Record>>& columns) {
+  std::vector<CsvRow> rows;
+  for (const Record& record : records) rows.push_back(to_row(columns, record));
+  return rows;
+}
+
+// A fifo would be waited for.
+std::string read_regular_file(const std::string& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::exists(status) && !fs::is_directory(status) && !fs::is_regular_file(status)) {
+    throw InputError(file + ": is no regular file; move it away");
+  }
+  return read_file(file);
 }
 
 void make_folder(const fs::path& folder) {
@@ -38,29 +69,56 @@ void make_folder(const fs::path& folder) {
                    (error ? error.message() : "a file is in its place") + "; choose another with --out");
 }
 
-void require_empty(const fs::path& folder, const std::string& remedy) {
+bool is_empty(const std::string& folder) {
   std::error_code error;
-  if (!fs::is_empty(folder, error)) throw InputError(folder.string() + ": has something in it already; " + remedy);
+  const bool empty = fs::is_empty(folder, error);
+  if (error) throw InputError(folder + ": cannot be read: " + error.message() + "; choose another folder with --out");
+  return empty;
 }
 
-void keep_study_file(const fs::path& folder, const Study& study) {
-  const std::string copy = (folder / "study.toml").string();
+void require_empty(const std::string& folder, const std::string& remedy) {
+  if (!is_empty(folder)) throw InputError(folder + ": has something in it already; " + remedy);
+}
+
+// A killed `mwt run` may have left nothing but the temporary file of its first write.
+bool holds_only_temporary_files(const std::string& folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (!is_temporary_name(entry.path().filename().string())) return false;
+  }
+  return true;
+}
+
+// Whether the folder has its study.toml already.
+bool require_this_study(const std::string& folder, const Study& study) {
+  const std::string copy = in_folder(folder, kStudyFile);
   if (!fs::exists(copy)) {
-    write_file_atomically(copy, study.file_content);
-  } else if (read_file(copy) != study.file_content) {
-    throw InputError(folder.string() + ": its study.toml differs from this study; choose another folder with --out");
+    if (holds_only_temporary_files(folder)) return false;
+    throw InputError(folder +
+                     ": has things in it, but no study.toml that tells of which study; choose another folder"
+                     " with --out");
+  }
+  if (read_regular_file(copy) == study.file_content) return true;
+  throw InputError(folder + ": its study.toml differs from this study; choose another folder with --out");
+}
+
+void require_same_name(const std::vector<RunRecord>& runs, const Study& study, const std::string& folder) {
+  for (const RunRecord& run : runs) {
+    if (run.study == study.name) continue;
+    throw InputError(folder + ": holds runs of the study '" + run.study + "'; choose another folder with --out");
   }
 }
 
 // A killed study's last worker holds the lock a little longer than the study itself, until the system ends it too.
-bool lock_within_patience(int descriptor) {
+// Returns 0, or why there is no lock.
+int lock_within_patience(int descriptor) {
   constexpr int kAttempts = 50;
   constexpr useconds_t kPause = 20000;  // us
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return 0;
+    if (errno != EWOULDBLOCK && errno != EINTR) return errno;
     usleep(kPause);
   }
-  return false;
+  return EWOULDBLOCK;
 }
 
 }  // namespace
@@ -69,11 +127,17 @@ bool lock_within_patience(int descriptor) {
 FolderLock::FolderLock(const std::string& folder) {
   make_folder(folder);
   descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor_ < 0) throw InputError(folder + ": " + std::strerror(errno));
-  if (!lock_within_patience(descriptor_)) {
-    close(descriptor_);
+  if (descriptor_ < 0) {
+    throw InputError(folder + ": cannot be read: " + std::strerror(errno) + "; choose another folder with --out");
+  }
+  const int reason = lock_within_patience(descriptor_);
+  if (reason == 0) return;
+  close(descriptor_);
+  if (reason == EWOULDBLOCK) {
     throw InputError(folder + ": another mwt run is writing here; wait for it or choose another folder with --out");
   }
+  throw InputError(folder + ": cannot be locked: " + std::strerror(reason) +
+                   "; choose a folder on another file system with --out");
 }
 
 FolderLock::~FolderLock() { close(descriptor_); }
@@ -81,19 +145,22 @@ FolderLock::~FolderLock() { close(descriptor_); }
 // Some file systems cannot; the rows are safe either way.
 void FolderLock::sync() const { static_cast<void>(fsync(descriptor_)); }
 
+// Everything is looked at before anything is written.
 ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool resume) : lock_(path) {
-  const fs::path folder(path);
-  if (!resume) require_empty(folder, "continue its study with --resume or choose another folder with --out");
-  keep_study_file(folder, study);
+  if (!resume) require_empty(path, "continue its study with --resume or choose another folder with --out");
+  const bool has_study_file = require_this_study(path, study);
   const auto open_file = [&](const char* name, const CsvRow& header) {
-    return std::make_unique<CsvFile>((folder / name).string(), header);
+    return std::make_unique<CsvFile>(in_folder(path, name), header);
   };
-  run_file_ = open_file("runs.csv", header_of(run_columns()));
-  instance_file_ = open_file("instances.csv", header_of(instance_columns()));
-  environment_file_ = open_file("environments.csv", header_of(environment_columns()));
+  run_file_ = open_file(kRuns, header_of(run_columns()));
+  instance_file_ = open_file(kInstances, header_of(instance_columns()));
+  environment_file_ = open_file(kEnvironments, header_of(environment_columns()));
+  runs_ = records_of(run_file_->existing_rows(), run_columns(), in_folder(path, kRuns));
+  instances_ = records_of(instance_file_->existing_rows(), instance_columns(), in_folder(path, kInstances));
+  require_same_name(runs_, study, path);
+  if (!has_study_file) write_file_atomically(in_folder(path, kStudyFile), study.file_content);
+  for (CsvFile* file : {run_file_.get(), instance_file_.get(), environment_file_.get()}) file->begin();
   lock_.sync();
-  runs_ = records_of(run_file_->existing_rows(), run_columns(), (folder / "runs.csv").string());
-  instances_ = records_of(instance_file_->existing_rows(), instance_columns(), (folder / "instances.csv").string());
 }
 
 std::set<std::string> ResultsFolder::run_ids() const {
@@ -116,17 +183,54 @@ void ResultsFolder::append(const EnvironmentRecord& record) {
   environment_file_->append(to_row(environment_columns(), record));
 }
 
+void ResultsFolder::replace(const InstanceRecord& record) {
+  for (InstanceRecord& instance : instances_) {
+    if (instance.instance_id == record.instance_id) instance = record;
+  }
+  instance_file_->replace_all(rows_of(instances_, instance_columns()));
+}
+
+// The runs first: if the program is killed in between, the next one finds the instance's claim still disproved.
+void ResultsFolder::settle(const std::string& instance_id) {
+  const auto is_of_it = [&](const auto& record) { return record.instance_id == instance_id; };
+  std::vector<RunRecord> runs;
+  std::vector<InstanceRecord> instances;
+  std::copy_if(runs_.begin(), runs_.end(), std::back_inserter(runs), is_of_it);
+  std::copy_if(instances_.begin(), instances_.end(), std::back_inserter(instances), is_of_it);
+  static_cast<void>(reject_disproved(runs, instances));
+  rate_all(runs, instances);
+  auto run = runs.begin();
+  for (RunRecord& record : runs_) {
+    if (is_of_it(record)) record = *run++;
+  }
+  auto instance = instances.begin();
+  for (InstanceRecord& record : instances_) {
+    if (is_of_it(record)) record = *instance++;
+  }
+  run_file_->replace_all(rows_of(runs_, run_columns()));
+  instance_file_->replace_all(rows_of(instances_, instance_columns()));
+}
+
+std::vector<std::string> ResultsFolder::warnings() const {
+  std::vector<std::string> all;
+  for (const CsvFile* file : {run_file_.get(), instance_file_.get(), environment_file_.get()}) {
+    all.insert(all.end(), file->warnings().begin(), file->warnings().end());
+  }
+  return all;
+}
+
 namespace {
 
 template <class Record>
 std::vector<Record> read_file_of_records(const std::string& folder, const char* name,
-                                         const std::vector<Column<Record>>& columns) {
-  const std::string file = (fs::path(folder) / name).string();
-  std::vector<CsvRow> rows = parse_csv(read_file(file));
-  if (rows.empty() || rows.front() != header_of(columns)) {
-    throw InputError(file + ": its columns are not those of schema version " + std::to_string(kSchemaVersion) +
-                     "; run the study anew, or use the mwt that wrote them");
-  }
+                                         const std::vector<Column<Record>>& columns,
+                                         std::vector<std::string>& warnings) {
+  const std::string file = in_folder(folder, name);
+  const std::string content = read_regular_file(file);
+  std::vector<CsvRow> rows = parse_csv(content);
+  require_header(file, rows, header_of(columns));
+  const std::string warning = warning_about_last_line(file, content);
+  if (!warning.empty()) warnings.push_back(warning);
   rows.erase(rows.begin());
   return records_of(rows, columns, file);
 }
@@ -136,31 +240,32 @@ void write_file_of_records(const std::string& folder, const char* name, const st
                            const std::vector<Record>& records) {
   std::string content = csv_line(header_of(columns));
   for (const Record& record : records) content += csv_line(to_row(columns, record));
-  write_file_atomically((fs::path(folder) / name).string(), content);
+  write_file_atomically(in_folder(folder, name), content);
 }
 
 }  // namespace
 
 std::vector<RunRecord> read_runs(const std::string& folder) {
-  return read_file_of_records(folder, "runs.csv", run_columns());
+  std::vector<std::string> ignored;
+  return read_file_of_records(folder, kRuns, run_columns(), ignored);
 }
 
 StudyRecords read_records(const std::string& folder) {
   StudyRecords records;
-  records.study_file = read_file((fs::path(folder) / "study.toml").string());
-  records.runs = read_runs(folder);
-  records.instances = read_file_of_records(folder, "instances.csv", instance_columns());
-  records.environments = read_file_of_records(folder, "environments.csv", environment_columns());
+  records.study_file = read_regular_file(in_folder(folder, kStudyFile));
+  records.runs = read_file_of_records(folder, kRuns, run_columns(), records.warnings);
+  records.instances = read_file_of_records(folder, kInstances, instance_columns(), records.warnings);
+  records.environments = read_file_of_records(folder, kEnvironments, environment_columns(), records.warnings);
   return records;
 }
 
 void write_records(const std::string& folder, const StudyRecords& records) {
   const FolderLock lock(folder);
   require_empty(folder, "choose another folder");
-  write_file_atomically((fs::path(folder) / "study.toml").string(), records.study_file);
-  write_file_of_records(folder, "environments.csv", environment_columns(), records.environments);
-  write_file_of_records(folder, "instances.csv", instance_columns(), records.instances);
-  write_file_of_records(folder, "runs.csv", run_columns(), records.runs);
+  write_file_atomically(in_folder(folder, kStudyFile), records.study_file);
+  write_file_of_records(folder, kEnvironments, environment_columns(), records.environments);
+  write_file_of_records(folder, kInstances, instance_columns(), records.instances);
+  write_file_of_records(folder, kRuns, run_columns(), records.runs);
 }
 
 }  // namespace mwt

@@ -30,8 +30,10 @@ class FolderLock {
 /// Holds runs.csv, instances.csv, environments.csv and study.toml (a copy of the study file), and a lock: a second
 /// `mwt run` on the same folder is refused while this object lives.
 ///
-/// Throws InputError: the folder holds something and `resume` is false; it is another study's; it is in use; it cannot
-/// be written. Nothing that was there is changed then.
+/// Files are append-only but for one case: rows that a disproved claim made wrong are replaced (settle()).
+///
+/// Throws InputError: the folder holds something and `resume` is false; it is another study's, or nothing tells whose;
+/// it is in use; it cannot be written. Nothing that was there is changed then.
 class ResultsFolder {
  public:
   ResultsFolder(const std::string& path, const Study& study, bool resume);
@@ -42,10 +44,20 @@ class ResultsFolder {
   void append(const InstanceRecord& record);
   void append(const EnvironmentRecord& record);
 
+  /// Puts the record in the place of that instance's row.
+  void replace(const InstanceRecord& record);
+
+  /// Replaces the instance's rows so that no claim stands in them that its triangulations disprove, and all its runs
+  /// are rated by what does (known_optima.h).
+  void settle(const std::string& instance_id);
+
   /// All records, those of earlier invocations first.
   [[nodiscard]] const std::vector<RunRecord>& runs() const { return runs_; }
   [[nodiscard]] const std::vector<InstanceRecord>& instances() const { return instances_; }
   [[nodiscard]] std::set<std::string> run_ids() const;
+
+  /// About what was found in the folder, for the user.
+  [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
   FolderLock lock_;
@@ -56,7 +68,8 @@ class ResultsFolder {
   std::vector<InstanceRecord> instances_;
 };
 
-/// The runs recorded in a results folder. Throws InputError: no runs.csv, another schema version, a malformed row.
+/// The runs recorded in a results folder. Throws InputError: no runs.csv or no regular file, another schema version, a
+/// malformed row.
 [[nodiscard]] std::vector<RunRecord> read_runs(const std::string& folder);
 
 /// All that a results folder holds.
@@ -65,6 +78,7 @@ struct StudyRecords {
   std::vector<RunRecord> runs;
   std::vector<InstanceRecord> instances;
   std::vector<EnvironmentRecord> environments;
+  std::vector<std::string> warnings{};  ///< about the files, for the user
 };
 
 /// Complete rows only, so that a study may be running there meanwhile. Throws InputError as read_runs().

@@ -1,11 +1,12 @@
 #include "harness/study/run_study.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "geometry/error.h"
 #include "harness/environment.h"
-#include "harness/execution.h"
 #include "harness/machine_watch.h"
 #include "harness/study/interrupt.h"
 #include "harness/study/optimum_search.h"
@@ -35,6 +36,7 @@ void announce_plan(StudySession& session) {
               << session.plan.instances.size() << " instances, " << session.plan.runs.size() << " runs, results in "
               << session.options.folder << '\n';
   for (const std::string& note : session.plan.notes) session.out << "  " << note << '\n';
+  for (const std::string& warning : session.folder.warnings()) session.out << "  warning: " << warning << '\n';
   for (const std::string& warning : timing_warnings(session.environment))
     session.out << "  warning: " << warning << '\n';
   const std::size_t recorded = session.folder.runs().size();
@@ -44,11 +46,22 @@ void announce_plan(StudySession& session) {
 // What earlier invocations certified is known to this one.
 template <class Record>
 void adopt_optima(StudySession& session, const std::vector<Record>& records) {
+  std::map<std::string, std::pair<std::string, std::vector<Disproof>>> disproofs;  // by instance, with its label
   for (const Record& record : records) {
-    const auto bounds = optimum_of(record);
-    if (!bounds || session.known.add(record.instance_id, *bounds)) continue;
-    ++session.outcome.contradictions;
-    session.out << "  CONTRADICTION: the recorded optima of instance " << record.instance_id << " exclude each other\n";
+    for (const Disproof& disproof : session.known.add(record)) {
+      auto& [label, of_instance] = disproofs[record.instance_id];
+      label = label_of_instance(record);
+      of_instance.push_back(disproof);
+    }
+  }
+  // Settling changes the records: only now.
+  for (const auto& [instance_id, entry] : disproofs) session.settle(instance_id, entry.first, entry.second);
+}
+
+// An instance whose optimum was disproved has none until one is found that stands.
+void seek_disproved_optima_again(StudySession& session) {
+  for (const InstanceRecord& instance : session.folder.instances()) {
+    if (is_disproved(instance) && !instance.optimum_lower) session.to_seek_again.insert(instance.instance_id);
   }
 }
 
@@ -67,11 +80,12 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   announce_plan(session);
   adopt_optima(session, session.folder.instances());
   adopt_optima(session, session.folder.runs());
-  prepare_timing();
+  seek_disproved_optima_again(session);
   const InterruptWatch interrupt_watch;
   const MachineWatch machine_watch;
   seek_optima(session);
   execute_runs(session);
+  if (!session.to_seek_again.empty() && !InterruptWatch::requested()) seek_optima(session);
   session.outcome.interrupted = InterruptWatch::requested();
   announce_end(session, machine_watch);
   return session.outcome;

@@ -24,7 +24,7 @@ struct RunOptions {
 struct StudyOutcome {
   std::size_t runs = 0;            ///< recorded by this invocation
   std::size_t failures = 0;        ///< of these
-  std::size_t contradictions = 0;  ///< certified intervals that exclude each other: a wrong solver
+  std::size_t contradictions = 0;  ///< claims about optima that triangulations disproved: a wrong solver
   bool interrupted = false;        ///< by Ctrl-C or SIGTERM
 };
 
@@ -32,8 +32,10 @@ struct StudyOutcome {
 /// process of its own; every result is on the disk before the next one begins. Progress and notes go to `out`.
 ///
 /// Every row's optimum is all that is certified about its instance by then: what the optimum sources found, what exact
-/// runs found since, and, as an upper end, the run's own weight. Intervals that exclude each other make the row an
-/// error and are announced: one of the solvers is wrong.
+/// runs found since, and, as an upper end, the run's own weight. A checked triangulation that is lighter than a
+/// certified lower bound disproves the claim: the claimant's row becomes an error (an instance loses its optimum), it
+/// is announced and thrown out of the cache, and the other runs on the instance are rated anew. If that leaves an
+/// instance without an optimum, it is sought again in the end.
 ///
 /// Throws InputError for everything that is wrong with the study or the folder, before anything is run: also if runs
 /// are missing in a folder whose runs were recorded by another build, for times and results of two are not one study.

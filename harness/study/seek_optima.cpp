@@ -1,3 +1,4 @@
+#include <exception>
 #include <set>
 #include <utility>
 
@@ -18,7 +19,11 @@ class OptimumPhase {
         progress_(session.out, session.options.is_terminal, "optima", session.plan.instances.size()),
         pool_(session.options.jobs) {
     session_.progress = &progress_;
-    for (const InstanceRecord& record : session.folder.instances()) sought_.insert(record.instance_id);
+    for (const InstanceRecord& record : session.folder.instances()) recorded_.insert(record.instance_id);
+    for (const std::string& instance_id : recorded_) {
+      if (!session.to_seek_again.contains(instance_id)) sought_.insert(instance_id);
+    }
+    session.to_seek_again.clear();
   }
 
   ~OptimumPhase() { session_.progress = nullptr; }
@@ -38,7 +43,7 @@ class OptimumPhase {
     std::shared_ptr<const Instance> instance;
     try {
       instance = session_.instances.make(static_cast<std::size_t>(&planned - session_.plan.instances.data()));
-    } catch (const InputError& error) {  // its runs become rows that say so
+    } catch (const std::exception& error) {  // its runs become rows that say so
       progress_.announce(planned.label() + ": no instance: " + error.what());
       progress_.advance(true, planned.label());
       return;
@@ -52,7 +57,8 @@ class OptimumPhase {
       record(planned, *instance, std::move(found));
     };
     OptimumCache* const cache = session_.cache ? &*session_.cache : nullptr;
-    seek_optimum(pool_, instance, sources_for(*instance), session_.study.optimum_limits, cache, when_done);
+    seek_optimum(pool_, instance, sources_for(*instance), session_.study.optimum_limits, cache,
+                 session_.known.lightest_of(instance->id), when_done);
   }
 
   [[nodiscard]] std::vector<const AlgorithmInfo*> sources_for(const Instance& instance) const {
@@ -66,21 +72,30 @@ class OptimumPhase {
     if (found.interval) {
       record.optimum_lower = found.interval->lower;
       record.optimum_upper = found.interval->upper;
-      if (!session_.known.add(instance.id, *found.interval)) {
-        found.contradiction = true;
-        found.note = "CONTRADICTION between " + found.source + " and the runs recorded earlier";
-      }
     }
     record.optimality = name_of(optimality_of(found.interval));
     record.optimum_source = found.source;
     record.optimum_time_s = found.time_s;
     record.optimum_note = found.note;
-    session_.folder.append(record);
-    if (found.contradiction) {
+    for (const std::string& warning : found.warnings)
+      progress_.announce("warning: " + planned.label() + ": " + warning);
+    for (const std::string& contradiction : found.contradictions) {
       ++session_.outcome.contradictions;
-      progress_.announce(planned.label() + ": " + found.note);
+      progress_.announce(planned.label() + ": " + contradiction);
     }
-    progress_.advance(found.contradiction, planned.label());
+    const std::vector<Disproof> disproofs = session_.known.add(record);
+    put(record);
+    session_.settle(instance.id, planned.label(), disproofs);
+    progress_.advance(!found.contradictions.empty() || !disproofs.empty(), planned.label());
+  }
+
+  void put(const InstanceRecord& record) {
+    if (recorded_.insert(record.instance_id).second) {
+      session_.folder.append(record);
+      return;
+    }
+    session_.folder.replace(record);
+    session_.folder.settle(record.instance_id);  // its runs are rated by it
   }
 
   [[nodiscard]] InstanceRecord keys_of(const PlannedInstance& planned, const Instance& instance) const {
@@ -101,8 +116,9 @@ class OptimumPhase {
 
   StudySession& session_;
   Progress progress_;
-  std::set<std::string> sought_;  // instance ids
-  ProcessPool pool_;              // last: its processes end before what their results refer to
+  std::set<std::string> recorded_;  // ids of instances that have a row
+  std::set<std::string> sought_;    // of those that need no search
+  ProcessPool pool_;                // last: its processes end before what their results refer to
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ struct AlgorithmChoice {
   std::vector<std::string> families{};  ///< run on these alone; empty: on all of the study
 };
 
-/// An exact algorithm that may be asked for the optimum of an instance.
+/// An exact algorithm that may compute the optimum of an instance.
 struct OptimumSource {
   std::string algorithm;
   std::optional<Index> largest_n;  ///< at most the registry's
@@ -61,7 +61,7 @@ struct Study {
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;
-  std::vector<OptimumSource> optimum_sources;  ///< asked in this order; empty: every exact algorithm of the registry
+  std::vector<OptimumSource> optimum_sources;  ///< run in this order; empty: every exact algorithm of the registry
 };
 
 /// Reads a study file. A parameter whose value is a list stands for one choice per element; several lists multiply.
@@ -69,6 +69,10 @@ struct Study {
 /// or range, a missing key; an `instance_folder`, which replaces that of the study's point files, for a study without
 /// any. Names of families and algorithms are checked when the study is planned.
 [[nodiscard]] Study read_study(const std::string& path, const std::optional<std::string>& instance_folder = {});
+
+/// Whether a study of this content (of a study file, or of study.toml in results) is made to judge the source report's
+/// claims: its key `claims`. Throws InputError: not TOML.
+[[nodiscard]] bool judges_claims(const std::string& study_file);
 
 /// The path of a study: itself if it is a file or looks like a path, else a study of that name in the project's
 /// harness/studies. Throws InputError listing the known names.

@@ -26,7 +26,7 @@ std::string place_of(const std::string& file, const toml::source_region& source)
   return file + ':' + std::to_string(source.begin.line);
 }
 
-// A table of the file whose keys are asked for one by one; what was not asked for is an error in the end.
+// A table of the file whose keys are read one by one; a key that nothing read is an error in the end.
 class TableReader {
  public:
   TableReader(std::string file, const toml::table& table, std::string title)
@@ -47,6 +47,9 @@ class TableReader {
     known_.push_back(key);
     return table_.get(key);
   }
+
+  // Of a key that was found.
+  [[nodiscard]] const toml::node& value_of(const std::string& key) const { return *table_.get(key); }
 
   std::string text(const std::string& key) {
     const toml::node* node = find(key);
@@ -228,6 +231,20 @@ void read_optimum(TableReader& reader, Study& study) {
   });
 }
 
+// The name becomes that of a folder, and a word in messages and tables.
+std::string read_name(TableReader& reader) {
+  constexpr std::size_t kLongest = 100;
+  const std::string name = reader.text("name");
+  const auto is_plain = [](char c) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    return is_letter || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.' || c == '+';
+  };
+  const bool begins_well = !name.empty() && name.front() != '.' && name.front() != '-';
+  if (begins_well && name.size() <= kLongest && std::all_of(name.begin(), name.end(), is_plain)) return name;
+  reader.fail(reader.value_of("name"),
+              "'name' must be at most 100 letters, digits and ._+- and begin with none of .- for it names a folder");
+}
+
 // The folder counts from that of the study file.
 void read_instances(TableReader& reader, InstanceFiles& files) {
   namespace fs = std::filesystem;
@@ -238,7 +255,10 @@ void read_instances(TableReader& reader, InstanceFiles& files) {
   files.folder = (here / named).lexically_normal().string();
   reader.for_each_element("files", [&](const toml::node& node) {
     files.patterns.push_back(reader.text_of(node, "files"));
-    if (fs::path(files.patterns.back()).is_absolute()) reader.fail(node, "'files' are within 'folder': no leading /");
+    const fs::path pattern(files.patterns.back());
+    if (pattern.is_absolute()) reader.fail(node, "'files' are within 'folder': no leading /");
+    if (std::find(pattern.begin(), pattern.end(), "..") != pattern.end())
+      reader.fail(node, "'files' are within 'folder': no .. in them");
   });
   if (files.patterns.empty()) throw InputError(reader.place() + ": [instances] needs the key 'files'");
 }
@@ -255,7 +275,7 @@ void read_section(TableReader& reader, const std::string& key, const std::functi
 Study read_root(const std::string& path, const toml::table& root) {
   Study study;
   TableReader reader(path, root, "a study");
-  study.name = reader.text("name");
+  study.name = read_name(reader);
   study.summary = reader.text("summary");
   study.sizes = read_sizes(reader);
   if (reader.find("seeds") != nullptr) study.seeds = read_seeds(reader);
@@ -263,6 +283,8 @@ Study read_root(const std::string& path, const toml::table& root) {
   reader.read_count("threads", study.threads);
   reader.read_positive("min_time_s", study.min_time_s);
   reader.read_flag("yardstick", study.measures_yardstick);
+  bool for_reports = false;  // which read it with judges_claims()
+  reader.read_flag("claims", for_reports);
   read_families(reader, study);
   read_algorithms(reader, study);
   read_section(reader, "limits", [&](TableReader& section) { read_limits(section, study.limits); });
@@ -292,6 +314,14 @@ Study read_study(const std::string& path, const std::optional<std::string>& inst
     return study;
   } catch (const toml::parse_error& error) {
     throw InputError(place_of(path, error.source()) + ": not valid TOML: " + one_line(error.description()));
+  }
+}
+
+bool judges_claims(const std::string& study_file) {
+  try {
+    return toml::parse(study_file)["claims"].value_or(false);
+  } catch (const toml::parse_error& error) {
+    throw InputError("study.toml: not valid TOML: " + one_line(error.description()));
   }
 }
 

@@ -30,6 +30,7 @@ TEST(StudyFile, DefaultsAreFilledIn) {
   EXPECT_EQ(study.seeds, std::vector<std::uint64_t>{1});
   EXPECT_EQ(study.repetitions, 1);
   EXPECT_TRUE(study.seeks_optimum);
+  EXPECT_FALSE(judges_claims(study.file_content));
   EXPECT_EQ(study.families.front().name, "*");
 }
 
@@ -45,6 +46,7 @@ repetitions = 3
 threads = 2
 min_time_s = 0.5
 yardstick = true
+claims = true
 [instances]
 folder = "points"
 files = ["*.tsp", "more/*.txt"]
@@ -62,6 +64,7 @@ sources = ["x", { name = "y", largest_n = 12 }]
   EXPECT_EQ(study.families[1].sizes, std::vector<Index>{100});
   EXPECT_EQ(study.algorithms.size(), 4u);
   EXPECT_TRUE(study.measures_yardstick);
+  EXPECT_TRUE(judges_claims(study.file_content));
   EXPECT_TRUE(study.instance_files.folder.ends_with("/points")) << study.instance_files.folder;
   EXPECT_EQ(study.instance_files.patterns, (std::vector<std::string>{"*.tsp", "more/*.txt"}));
   EXPECT_EQ(study.algorithms.front().largest_n, 50u);
@@ -93,6 +96,7 @@ TEST(StudyFile, MistakesNameLineAndKey) {
   EXPECT_EQ(complaint("name = \"s\"\nsummary = \"t\"\nfamilies = [\"*\"]\nalgorithms = [{ name = \"a\", parameters = { "
                       "k = [] } }]\n"),
             "s.toml:4: parameter 'k' must not be an empty list");
+  EXPECT_EQ(complaint(kMinimal + "claims = \"C1\"\n"), "s.toml:5: 'claims' must be true or false");
   EXPECT_EQ(complaint(kMinimal + "yardstick = 1\n"), "s.toml:5: 'yardstick' must be true or false");
   EXPECT_EQ(complaint(kMinimal + "[instances]\nfolder = \"x\"\n"), "s.toml:5: [instances] needs the key 'files'");
   EXPECT_EQ(complaint(kMinimal + "[instances]\nfiles = [\"/x\"]\n"),

@@ -1,5 +1,7 @@
 #include "harness/study/study_session.h"
 
+#include <algorithm>
+
 #include "harness/environment.h"
 #include "harness/study/interrupt.h"
 
@@ -40,6 +42,21 @@ void StudySession::announce(const std::string& line) {
   } else {
     out << "  " << line << '\n';
   }
+}
+
+void StudySession::settle(const std::string& instance_id, const std::string& label,
+                          const std::vector<Disproof>& disproofs) {
+  if (disproofs.empty()) return;
+  double weight = disproofs.front().weight;
+  for (const Disproof& disproof : disproofs) {
+    ++outcome.contradictions;
+    announce(label + ": " + disproof.text());
+    weight = std::min(weight, disproof.weight);
+    if (disproof.claim.id == instance_id) to_seek_again.insert(instance_id);
+  }
+  const auto discarded = cache ? cache->discard_disproved(instance_id, weight) : std::vector<std::string>();
+  for (const std::string& path : discarded) announce("thrown out of the optimum cache: " + path);
+  folder.settle(instance_id);
 }
 
 bool wait_for_room(ProcessPool& pool, Progress& progress) {

@@ -4,6 +4,9 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "harness/execution.h"
 #include "harness/optimum_cache.h"
@@ -45,13 +48,18 @@ struct StudySession {
   KnownOptima known;
   std::optional<OptimumCache> cache;
   StudyOutcome outcome;
-  Progress* progress = nullptr;  ///< of the phase at work
+  Progress* progress = nullptr;         ///< of the phase at work
+  std::set<std::string> to_seek_again;  ///< instances whose recorded optimum was disproved
 
   /// A line for the user, above the progress line if there is one.
   void announce(const std::string& line);
+
+  /// Tells the user of the disproved claims about an instance, throws them out of the optimum cache, and settles the
+  /// records.
+  void settle(const std::string& instance_id, const std::string& label, const std::vector<Disproof>& disproofs);
 };
 
-/// Seeks and records the optimum of every instance that has no row yet.
+/// Seeks and records the optimum of every instance that has no row yet or is to be sought again.
 void seek_optima(StudySession& session);
 
 /// Executes and records every run that has no row yet.

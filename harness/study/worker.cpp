@@ -3,6 +3,7 @@
 #include <exception>
 #include <new>
 
+#include "harness/optimum_claims.h"
 #include "harness/quality.h"
 #include "harness/yardstick.h"
 
@@ -36,10 +37,10 @@ void believe(RunRecord& record, const Execution& execution, const Judgement& jud
   fill_in_measures(record, execution, judgement);
   const WitnessedOptimum optimum = witnessed_optimum(execution.solution.optimum, judgement.weight);
   if (optimum.contradiction) {
-    fail(record, RunStatus::error, "the lower bound it certifies exceeds the weight of its own triangulation");
+    const OptimumClaim claim{"", record.algorithm.empty() ? "it" : record.algorithm, *execution.solution.optimum};
+    fail(record, RunStatus::error, Disproof{claim, "", judgement.weight.upper}.text());
   } else if (optimum.interval) {
-    record.optimum_lower = optimum.interval->lower;
-    record.optimum_upper = optimum.interval->upper;
+    record.certified_lower = optimum.interval->lower;
   }
 }
 

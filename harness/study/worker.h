@@ -15,8 +15,8 @@ struct Timing {
 };
 
 /// Executes, judges and fills in status, checker, message and the measures of `record`, whose other fields say what is
-/// run. optimum_lower and optimum_upper are what this run alone certifies. Never throws what an algorithm throws: that
-/// becomes a status. An execution longer than `kill_after_s` is a timeout although it has ended.
+/// run. Its rating stays open: certified_lower is what this run alone certifies. Never throws what an algorithm throws:
+/// that becomes a status. An execution longer than `kill_after_s` is a timeout although it has ended.
 [[nodiscard]] RunRecord run_in_worker(const Request& request, const Instance& instance, RunRecord record,
                                       const Timing& timing, double kill_after_s);
 

@@ -174,9 +174,9 @@ class Comparer {
   void note_weaknesses(const std::vector<TimedCell>& timed, bool has_yardstick) {
     if (comparison_.options.paired) return note_too_few_pairs(timed);
     note(
-        "measured at different times: only differences beyond what the machine's mood explains are told; "
+        "measured at different times: only differences beyond machine drift are reported; "
         "--build-a and --build-b compare two builds more keenly");
-    if (!has_yardstick) note("no yardstick in these results: what slows all algorithms alike cannot be told");
+    if (!has_yardstick) note("no yardstick in these results: what slows all algorithms alike cannot be seen");
     if (timed.size() < kCellsToTellSpread)
       note("too few cells to see how differently the two sessions treat them: cells are judged by repetitions alone");
   }

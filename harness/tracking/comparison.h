@@ -1,7 +1,7 @@
 // Compares two result sets: is the new one slower, heavier, larger, or does it fail where the base did not?
 //
-// Two results rarely differ in nothing, and a machine is never quiet; so a regression of time is told only if it is
-// sure in three ways: the ratio's bootstrap interval lies beyond the threshold; an exact rank test of "slower by more
+// Two results rarely differ in nothing, and a machine is never quiet; so a slowdown is reported only if it is evident
+// in three ways: the ratio's bootstrap interval lies beyond the threshold; an exact rank test of "slower by more
 // than the threshold" rejects at `error_rate` after the correction of Benjamini and Hochberg for all rows of the table;
 // and both rest on what was repeated independently:
 //
@@ -9,7 +9,7 @@
 //   logarithmic ratio is one observation, so that what slows both alike cancels. A cell has as many observations as
 //   repetitions; an algorithm as well: in each repetition the pseudo-median (statistics/shift.h) over its cells, which
 //   is far steadier than any cell.
-// - Results of two folders were measured at different times, and a machine's mood differs between them more than
+// - Results of two folders were measured at different times, and the machine drifts between them more than
 //   between the repetitions of one folder. A cell must therefore also stand out from the other cells' ratios (Student's
 //   t with 3 degrees of freedom, for they have heavy tails, and with their robust standard deviation); an algorithm's
 //   observations are its cells, and they must also be slower than the cells of the other algorithms. What slows

@@ -86,7 +86,7 @@ std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-/// What is told of the regressions (or improvements): algorithms first; cells only of algorithms that are not told.
+/// The regressions (or improvements) to report: algorithms first; cells only of algorithms that are not among them.
 std::vector<std::string> told(const Comparison& comparison, Verdict verdict) {
   std::vector<std::string> names;
   std::vector<std::string> algorithms;

@@ -20,7 +20,7 @@ namespace mwt {
 
 /// All that a dashboard shows, one object: nights [{recorded_at, commit, environment, machine, study}], series [{study,
 /// environment, algorithm (with its parameters), instance (family with its parameters), n, measure, aspect, unit,
-/// nights, values}] as series_of() makes them, and changes as changes_json() tells them.
+/// nights, values}] as series_of() makes them, and changes as changes_json() writes them.
 [[nodiscard]] std::string series_json(const std::vector<Change>& changes, const std::vector<Night>& nights);
 
 }  // namespace mwt

@@ -13,6 +13,7 @@
 #include "geometry/input_file.h"
 #include "geometry/number_text.h"
 #include "geometry/output_file.h"
+#include "harness/command_line.h"
 #include "harness/progress.h"
 #include "harness/study/interrupt.h"
 #include "harness/study/plan.h"
@@ -27,16 +28,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& text) { return '"' + text + '"'; }
+/// As a TOML string.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
 
 /// "a=1 b=x" as a TOML table: { a = "1", b = "x" }.
 std::string toml_table(const std::string& parameters) {
   std::vector<std::string> entries;
-  for (const std::string& parameter : split(parameters, ' ')) {
-    const std::size_t equals = parameter.find('=');
-    if (equals != std::string::npos)
-      entries.push_back(parameter.substr(0, equals) + " = " + quoted(parameter.substr(equals + 1)));
-  }
+  for (const auto& [name, value] : parse_canonical(parameters)) entries.push_back(name + " = " + quoted(value));
   return "{ " + joined(entries) + " }";
 }
 
@@ -100,7 +105,9 @@ class Side {
     fs::remove_all(records);
     const int code = run_program({program_, "run", study_file, "--out", records.string(), "--no-cache"}, log);
     if (InterruptWatch::requested()) return;
-    if (code != 0) throw InputError(program_ + ": exit code " + std::to_string(code) + ": " + end_of(read_file(log)));
+    const bool has_records = code == kExitOk || code == kExitNegative;  // a run that failed is a row, too
+    if (!has_records)
+      throw InputError(program_ + ": exit code " + std::to_string(code) + ": " + end_of(read_file(log)));
     adopt(read_results(records.string()), repetition);
   }
 

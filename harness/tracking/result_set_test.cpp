@@ -32,7 +32,7 @@ TEST(ResultSet, ReadsWhatAStudyWrote) {
   EXPECT_EQ(machine_of(results.environment_of(results.runs[0])), "Abacus 2000, 2 CPUs, 8 GiB");
 }
 
-// The first columns of version 1, in another order, and one that nobody knows.
+// The first columns of version 1, in another order, and an unknown one.
 TEST(ResultSet, ReadsOtherVersionsByTheNamesOfColumns) {
   const TestFolder folder;
   write_text(folder.path("runs.csv"),

@@ -97,7 +97,7 @@ class TableMaker {
       if (std::find(members.begin(), members.end(), i) == members.end()) others.push_back(log_ratios_[i]);
     }
     require_difference_from_others(judged.judgement, observations, others, options_.threshold);
-    // Without the yardstick nobody knows whether all algorithms or the machine became slower.
+    // Without the yardstick, slower algorithms cannot be told from a slower machine.
     if (others.empty() && !has_yardstick_) judged.judgement.p_slower = judged.judgement.p_faster = 1;
     return judged;
   }

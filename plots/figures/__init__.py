@@ -1,7 +1,10 @@
-"""The figures, one module each: a TITLE, a CAPTION and draw(results), which returns a matplotlib figure, or None if the
-results have nothing for it. To add one: its module and its line here."""
+"""The figures, one module each: draw(results, layout) returns a matplotlib figure, or None if the results have nothing for
+it; TITLE and CAPTION, or title(results) and caption(results) where they depend on the results; IS_FOLDED if readers open it
+themselves. A figure chooses families and
+algorithms by what the results have, never from a list. To add one: its module and its line here."""
 from . import (
     alpha_by_n,
+    alpha_by_n_further,
     alpha_distribution,
     flips,
     growth,
@@ -16,6 +19,7 @@ from . import worked_examples
 CHARTS = {
     "alpha_distribution": alpha_distribution,
     "alpha_by_n": alpha_by_n,
+    "alpha_by_n_further": alpha_by_n_further,
     "trade_off": trade_off,
     "time_by_n": time_by_n,
     "growth": growth,
@@ -28,3 +32,11 @@ GALLERY = {
     "quadtree_grid": quadtree_grid,
 }
 ALL = CHARTS | GALLERY
+
+
+def title(module, results):
+    return module.title(results) if hasattr(module, "title") else module.TITLE
+
+
+def caption(module, results):
+    return module.caption(results) if hasattr(module, "caption") else module.CAPTION

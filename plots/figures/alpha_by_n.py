@@ -1,89 +1,120 @@
-"""By how much the algorithms exceed the optimum, alpha - 1 by n, one panel per family."""
+"""By how much the algorithms exceed the optimum, alpha - 1 by n, one panel per family: those that readers look for first."""
 import math
 
-import matplotlib.pyplot as plt
-
-from library.records import RANDOM_FAMILIES
-from library.style import INK, Styles, legend_below, report_first
+from figures.panels import always_optimal, equal_labels, grid, large_enough, legend, percent_ticks, side_by_side
+from library.records import OPTIMAL
+from library.style import INK, Styles
 
 TITLE = "How far from the optimum, by n"
-CAPTION = (
-    "A point is the mean over instances of α − 1, a bar reaches to the largest; both axes are logarithmic. The shaded"
-    " band is the report's 1.1–1.5. Every optimum is proved: its certified interval is narrower than a millionth of a"
-    " point on this page, so that error bars for it cannot be seen. What is below the axis's lowest decade lies on the"
-    " line “optimal”. greedy_report, the report's literal version, gives the same triangulations as greedy."
-)
-SHOWN = ("hull_insertion", "quadtree", "delaunay", "flip_report", "greedy", "patch")
-LOWEST_EXCESS = 1e-5
 MOST_FAMILIES = 9
-SMALLEST_N = 20
+LOWEST_DECADE = -5
+REPORTS_BAND = (0.1, 0.5)
 
 
-def families_of(rated):
-    """Random ones first, then those on which some heuristic is furthest from the optimum."""
-    sizes = rated.groupby("family")["n"].nunique()
-    usable = list(sizes[sizes > 2].index)
-    worst = rated.groupby("family")["alpha_upper"].max().sort_values(ascending=False)
-    random = [family for family in RANDOM_FAMILIES if family in usable]
-    return (random + [family for family in worst.index if family in usable and family not in random])[:MOST_FAMILIES]
+class Chosen:
+    """What is drawn: families with several sizes, algorithms that are not always optimal, of equal ones the first."""
+
+    def __init__(self, results, further):
+        observations = large_enough(results.observations)
+        sizes = observations.groupby("family")["n"].nunique()
+        worst = observations.groupby("family")["alpha_upper"].max()
+        several = [family for family in results.families if sizes.get(family, 0) > 1]
+        shown = [family for family in several if worst[family] > OPTIMAL]
+        self.trivial = [family for family in several if worst[family] <= OPTIMAL]
+        self.families = shown[MOST_FAMILIES:] if further else shown[:MOST_FAMILIES]
+        self.observations = observations[observations["family"].isin(self.families)]
+        self.optimal = always_optimal(self.observations)
+        present = set(self.observations["label"])
+        self.labels = [label for label in results.labels if label in present - self.optimal]
+        self.equal = equal_labels(self.observations, self.labels)
 
 
-def draw_family(axes, cells, labels, styles):
-    axes.axhspan(0.1, 0.5, color="#888888", alpha=0.16, linewidth=0)
+def draw_family(axes, cells, chosen, styles):
+    lowest = 10.0**LOWEST_DECADE
+    excess = (cells["alpha_upper"] - 1).clip(lower=lowest)
+    by_cell = excess.groupby([cells["label"], cells["n"]]).agg(["mean", "max"])
+    labels = [label for label in chosen.equal if label in by_cell.index]
+    places = iter(side_by_side(axes, [mark for label in labels for mark in by_cell.loc[label]["mean"].items()]))
     for label in labels:
-        of_label = cells[cells["label"] == label].groupby("n")["alpha_upper"]
-        mean = (of_label.mean() - 1).clip(lower=LOWEST_EXCESS)
-        largest = (of_label.max() - 1).clip(lower=LOWEST_EXCESS)
-        axes.vlines(mean.index, mean, largest, color=styles.colour(label), linewidth=0.9)
-        axes.plot(mean.index, mean, label=label, clip_on=False, **styles[label])
+        own = by_cell.loc[label]
+        xs = [next(places)[0] for _ in own.index]
+        look = styles[label]
+        axes.plot(own.index, own["mean"], color=look["color"], linestyle=look["linestyle"], linewidth=0.9)
+        axes.vlines(xs, own["mean"], own["max"], color=look["color"], linewidth=0.9)
+        name = " = ".join([label, *chosen.equal[label]])
+        axes.plot(xs, own["mean"], label=name, clip_on=False, **styles.mark(label))
+
+
+def set_scale(axes, observations, highest):
+    """The same decades for every panel; the lowest stands for optimal."""
+    ticks, texts = percent_ticks(LOWEST_DECADE, highest)
     axes.set_xscale("log")
     axes.set_yscale("log")
+    axes.set_xlim(observations["n"].min() / 1.4, observations["n"].max() * 1.4)
+    axes.set_ylim(ticks[0], ticks[-1])
+    axes.set_yticks(ticks, texts)
+    axes.minorticks_off()
 
 
-def set_common_scale(all_axes):
-    """The same decades for every panel; the lowest stands for optimal."""
-    highest = max(axes.dataLim.y1 for axes in all_axes)
-    decades = range(round(math.log10(LOWEST_EXCESS)), math.ceil(math.log10(highest)) + 1)
-    ticks = [10.0**decade for decade in decades]
-    texts = ["optimal"] + [f"{100 * tick:,g} %" for tick in ticks[1:]]
-    for axes in all_axes:
-        axes.set_ylim(LOWEST_EXCESS, ticks[-1])
-        axes.set_yticks(ticks, texts)
-        axes.minorticks_off()
+def draw_band(axes, has_name):
+    axes.axhspan(*REPORTS_BAND, color="#888888", alpha=0.16, linewidth=0)
+    if has_name:
+        axes.annotate(
+            "the report's band",
+            (1, 0.22),
+            xycoords=("axes fraction", "data"),
+            fontsize=7.5,
+            color=INK,
+            ha="right",
+            va="center",
+        )
 
 
-def draw(results, families=None):
-    rated = results.rated[results.rated["n"] >= SMALLEST_N]
-    families = families or families_of(rated)
-    present = set(rated["label"])
-    labels = [label for label in report_first(present) if label in SHOWN]
-    if not families or not labels:
+def draw(results, layout, further=False):
+    chosen = Chosen(results, further)
+    if not chosen.labels:
         return None
-    styles = Styles(labels)
-    columns = min(3, len(families))
-    rows = -(-len(families) // columns)
-    figure, grid = plt.subplots(
-        rows, columns, figsize=(3.0 * columns + 0.4, 2.3 * rows + 0.6), squeeze=False, sharex=True
-    )
-    panels = list(grid.flat)
-    for axes, family in zip(panels, families):
-        axes.tick_params(labelbottom=True)
-        draw_family(axes, rated[rated["family"] == family], labels, styles)
+    styles = Styles(chosen.labels)
+    figure, panels = grid(len(chosen.families), layout, 2.4)
+    highest = max(0, math.ceil(math.log10(chosen.observations["alpha_upper"].max() - 1)))
+    for position, (axes, family) in enumerate(zip(panels, chosen.families)):
+        set_scale(axes, chosen.observations, highest)
         axes.set_title(family)
         axes.set_xlabel("points n")
-    set_common_scale(panels[: len(families)])
-    for axes in panels[len(families) :]:
-        axes.set_visible(False)
-    panels[0].annotate(
-        "the report's band",
-        (1, 0.22),
-        xycoords=("axes fraction", "data"),
-        fontsize=7.5,
-        color=INK,
-        ha="right",
-        va="center",
-    )
-    for axes in grid[:, 0]:
-        axes.set_ylabel(r"excess $\alpha - 1$")
-    legend_below(figure, *panels[0].get_legend_handles_labels())
+        if position % layout.columns == 0:
+            axes.set_ylabel(r"excess $\alpha - 1$")
+    figure.tight_layout()
+    for position, (axes, family) in enumerate(zip(panels, chosen.families)):
+        if results.judges_claims:
+            draw_band(axes, position == 0)
+        draw_family(axes, chosen.observations[chosen.observations["family"] == family], chosen, styles)
+    legend(figure, panels, layout)
     return figure
+
+
+def names(labels, chosen):
+    return ", ".join(label for label in labels if label in chosen)
+
+
+def caption(results, further=False):
+    chosen = Chosen(results, further)
+    sentences = [
+        "A mark is the mean over instances of α − 1, a bar reaches to the largest; both axes are logarithmic. Marks that"
+        " would hide each other stand side by side."
+    ]
+    if further:
+        sentences.append("These are the families on which α stays lower.")
+    else:
+        sentences.append(
+            "Every optimum is proved: its certified interval is narrower than a millionth of a point on this page. What is"
+            " below the axis’s lowest decade lies on the line “optimal”."
+        )
+    if results.judges_claims:
+        sentences.append("The shaded band is the report’s 1.1–1.5.")
+    if any(chosen.equal.values()):
+        sentences.append("Names joined by “=” have the same α wherever both ran.")
+    if chosen.optimal:
+        sentences.append(f"Optimal on every instance here, and not drawn: {names(results.labels, chosen.optimal)}.")
+    if chosen.trivial and further:
+        sentences.append(f"Every algorithm is optimal on {names(results.families, chosen.trivial)}.")
+    return " ".join(sentences)

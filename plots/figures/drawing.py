@@ -2,7 +2,8 @@
 import csv
 import json
 
-from matplotlib.collections import LineCollection
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 
 from library.style import INK, OPTIMUM, PAPER, VERMILION
 
@@ -15,6 +16,11 @@ class Gallery:
 
     def has(self, *names):
         return all((self.folder / name).is_file() for name in names)
+
+    def names(self, name, but=()):
+        """The names of the triangulations of a set of points."""
+        found = [path.name[len(name) + 1 : -len(".json")] for path in self.folder.glob(f"{name}.*.json")]
+        return sorted(set(found) - set(but))
 
     def _rows(self, name):
         with open(self.folder / name, newline="") as file:
@@ -32,15 +38,19 @@ class Gallery:
 
 
 def lines(axes, points, edges, **style):
-    axes.add_collection(LineCollection([(points[a], points[b]) for a, b in sorted(edges)], capstyle="round", **style))
+    """The edges as one path, which keeps files small."""
+    ends = [points[end] for edge in sorted(edges) for end in edge]
+    if ends:
+        path = Path(ends, [Path.MOVETO, Path.LINETO] * len(edges))
+        axes.add_patch(PathPatch(path, fill=False, capstyle="round", **style))
 
 
 def triangulation(axes, points, edges, optimum=frozenset(), differing=True, linewidth=0.9):
     """The optimum's edges broad and pale underneath; edges that it lacks in vermilion, unless `differing` is false."""
-    lines(axes, points, optimum, colors=OPTIMUM, linewidths=4 * linewidth)
+    lines(axes, points, optimum, edgecolor=OPTIMUM, linewidth=4 * linewidth)
     other = edges - optimum if optimum and differing else set()
-    lines(axes, points, edges - other, colors=INK, linewidths=linewidth)
-    lines(axes, points, other, colors=VERMILION, linewidths=1.5 * linewidth)
+    lines(axes, points, edges - other, edgecolor=INK, linewidth=linewidth)
+    lines(axes, points, other, edgecolor=VERMILION, linewidth=1.5 * linewidth)
 
 
 def dots(axes, points, size=7, names=None, font=7.5):
@@ -74,4 +84,4 @@ def excess(solution):
         return ""
     if solution["alpha_upper"] - 1 < 1e-9:
         return "optimal"
-    return f"+{100 * (solution['alpha_upper'] - 1):.3g} %"
+    return f"+{100 * (solution['alpha_upper'] - 1):.3g}\u00a0%"

@@ -1,90 +1,125 @@
 """Families built against a heuristic: how alpha grows with n there."""
-import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.fits import power_law
-from library.style import FAINT, INK, Styles, report_first
+from figures.fits import power_law, upper_half
+from figures.panels import SMALLEST_N, grid, side_by_side
+from library.records import CELL
+from library.style import INK, Styles, report_first
 
 TITLE = "Where heuristics fail: growth of α"
-CAPTION = (
-    "α against n, both logarithmic, with the fitted slope e: α grows like n to the power e. Random points make every"
-    " heuristic look good; on families built against one there is no bound. Drawn are the lower ends of the certified"
-    " intervals for α, of the pairs whose slope exceeds {smallest}. The dotted line is log n, scaled: what the report"
-    " promises of hull insertion."
-)
 SMALLEST_SLOPE = 0.1
-SMALLEST_N = 20
 MOST_FAMILIES = 9
 MOST_ALIKE = 3  # panels that show the same algorithms
-BASELINES = ("sweep",)  # never meant to be short
+TICKS = (1, 2, 5, 10, 20, 50, 100, 1000, 1e4, 1e5)
 
 
-def series(runs):
-    """{family: {label: (alpha by n, exponent, factor)}} of what grows, the steepest families first."""
+def laws(results):
+    """{family: {label: (alpha by n, exponent, factor)}} of whatever has three sizes."""
     found = {}
-    runs = runs[
-        (runs["status"] == "ok") & (runs["stopped_early"] == 0) & (runs["alpha_lower"] >= 1) & (runs["n"] >= SMALLEST_N)
-    ]
-    for (family, label), cell in runs[runs["generator"] != "file"].groupby(["family", "label"]):
-        alpha = cell.groupby("n")["alpha_lower"].mean()
-        if len(alpha) < 3 or label in BASELINES:
-            continue
-        exponent, factor = power_law(alpha.index.to_numpy(float), alpha.to_numpy())
-        if exponent > SMALLEST_SLOPE:
-            found.setdefault(family, {})[label] = (alpha, exponent, factor)
-    return dict(sorted(found.items(), key=lambda item: -max(exponent for _, exponent, _ in item[1].values())))
+    runs = results.finished
+    runs = runs[(runs["alpha_lower"] >= 1) & (runs["n"] >= SMALLEST_N) & (runs["generator"] != "file")]
+    by_instance = runs.groupby([*CELL, "instance_id"])["alpha_lower"].median()
+    means = by_instance.groupby(CELL).mean().reset_index("n")
+    for (family, label), cell in means.groupby(["family", "label"]):
+        alpha = cell.set_index("n")["alpha_lower"]
+        if len(alpha) > 2:
+            upper = upper_half(alpha)
+            law = power_law(upper.index.to_numpy(float), upper.to_numpy())
+            found.setdefault(family, {})[label] = (alpha, *law)
+    return found
 
 
-def chosen(growing):
-    """The steepest families, not too many of a kind."""
+def usual_exponents(found):
+    """The median over the families of each label's exponent; 0 where there are too few families to say what is usual."""
+    exponents = {}
+    for of_family in found.values():
+        for label, (_, exponent, _) in of_family.items():
+            exponents.setdefault(label, []).append(exponent)
+    return {label: np.median(own) if len(found) > 3 else 0 for label, own in exponents.items()}
+
+
+def chosen(results):
+    """What grows on the families on which something grows faster than it usually does; not too many families of a kind."""
+    found = laws(results)
+    usual = usual_exponents(found)
+    growing = {
+        family: {label: law for label, law in of_family.items() if law[1] > SMALLEST_SLOPE}
+        for family, of_family in found.items()
+    }
+
+    def faster(family):
+        """{label: by how much more its exponent is here}."""
+        differences = {label: exponent - usual[label] for label, (_, exponent, _) in growing[family].items()}
+        return {label: more for label, more in differences.items() if more > SMALLEST_SLOPE}
+
+    remarkable = [family for family in growing if faster(family)]
     shown, alike = {}, {}
-    for family, of_family in growing.items():
-        kind = tuple(sorted(of_family))
+    for family in sorted(remarkable, key=lambda family: -max(faster(family).values())):
+        kind = tuple(sorted(faster(family)))
         alike[kind] = alike.get(kind, 0) + 1
         if alike[kind] <= MOST_ALIKE and len(shown) < MOST_FAMILIES:
-            shown[family] = of_family
+            shown[family] = growing[family]
     return shown
 
 
-def draw_family(axes, of_family, styles):
-    for label in report_first(of_family):
-        alpha, exponent, factor = of_family[label]
-        n = alpha.index.to_numpy(float)
-        axes.plot(n, alpha, label=f"{label}  e = {exponent:.2f}", **dict(styles[label], linestyle=""))
-        ends = np.array([SMALLEST_N, n[-1]])
-        axes.plot(ends, factor * ends**exponent, color=styles.colour(label), linewidth=1.1)
-    n = np.geomspace(SMALLEST_N, max(alpha.index.max() for alpha, _, _ in of_family.values()), 40)
-    axes.plot(n, np.log(n) / np.log(SMALLEST_N), color=INK, linewidth=0.7, linestyle=":", zorder=1)
+def line(alpha, exponent, factor):
+    """The ends of the fitted line: over the sizes that it is fitted to, and only where it is at least 1, as alpha is."""
+    first, last = float(upper_half(alpha).index[0]), float(alpha.index[-1])
+    ends = np.array([max(first, factor ** (-1 / exponent)), last])
+    return ends, factor * ends**exponent
+
+
+def set_scale(axes, of_family):
+    largest_n = max(alpha.index.max() for alpha, _, _ in of_family.values())
+    top = max(alpha.max() for alpha, _, _ in of_family.values())
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.minorticks_off()
-    top = axes.get_ylim()[1]
-    axes.set_ylim(0.9, top ** (1 + 0.12 * len(of_family) + 0.1))  # room for the legend
-    ticks = [tick for tick in (1, 2, 5, 10, 20, 50, 100, 1000, 1e4) if tick <= top * 1.2]
+    axes.set_xlim(SMALLEST_N / 1.4, largest_n * 1.4)
+    axes.set_ylim(0.9, max(top, 1.5) ** (1 + 0.12 * len(of_family) + 0.1))  # room for the legend
+    ticks = [tick for tick in TICKS if tick <= top * 1.2]
     axes.set_yticks(ticks, [f"{tick:,g}" for tick in ticks])
+    axes.minorticks_off()
+
+
+def draw_family(axes, of_family, styles):
+    labels = report_first(of_family)
+    marks = [(n, value) for label in labels for n, value in of_family[label][0].items()]
+    places = iter(side_by_side(axes, marks))
+    for label in labels:
+        alpha, exponent, factor = of_family[label]
+        axes.plot(*line(alpha, exponent, factor), color=styles.colour(label), linewidth=1.1)
+        own = [next(places) for _ in alpha]
+        axes.plot(*zip(*own), label=f"{label}  e = {exponent:.2f}", **styles.mark(label))
+    n = np.geomspace(SMALLEST_N, max(alpha.index.max() for alpha, _, _ in of_family.values()), 40)
+    axes.plot(n, np.log(n) / np.log(SMALLEST_N), color=INK, linewidth=0.7, linestyle=":", zorder=1)
     axes.legend(fontsize=7, loc="upper left", handletextpad=0.2, labelspacing=0.25, borderaxespad=0)
 
 
-def draw(results):
-    growing = chosen(series(results.runs))
+def draw(results, layout):
+    growing = chosen(results)
     if not growing:
         return None
     styles = Styles(report_first({label for of_family in growing.values() for label in of_family}))
-    columns = min(3, len(growing))
-    rows = -(-len(growing) // columns)
-    figure, grid = plt.subplots(rows, columns, figsize=(3.0 * columns + 0.4, 2.5 * rows + 0.2), squeeze=False)
-    panels = list(grid.flat)
-    for axes, (family, of_family) in zip(panels, growing.items()):
-        draw_family(axes, of_family, styles)
+    figure, panels = grid(len(growing), layout, 2.5)
+    for position, (axes, (family, of_family)) in enumerate(zip(panels, growing.items())):
+        set_scale(axes, of_family)
         axes.set_title(family)
         axes.set_xlabel("points n")
-    for axes in panels[len(growing) :]:
-        axes.set_visible(False)
-    for axes in grid[:, 0]:
-        axes.set_ylabel(r"$\alpha$")
+        if position % layout.columns == 0:
+            axes.set_ylabel(r"$\alpha$")
     figure.tight_layout()
+    for axes, of_family in zip(panels, growing.values()):
+        draw_family(axes, of_family, styles)
     return figure
 
 
 def caption(results):
-    return CAPTION.format(smallest=SMALLEST_SLOPE)
+    promise = ": what the report promises of hull insertion" if results.judges_claims else ""
+    return (
+        "α against n, both logarithmic, with the fitted slope e: α grows like n to the power e. A line spans the sizes that"
+        " it is fitted to, of more than five the larger half, and stops where it would fall below 1, which no α does. Shown"
+        " are families on which an algorithm grows faster than on most: on random points every heuristic looks good, on"
+        " points built against it there is no bound. A mark is the mean over instances of the lower ends of the certified"
+        f" intervals for α, of the algorithms whose slope exceeds {SMALLEST_SLOPE}; marks that would hide each other stand"
+        f" side by side. The dotted line is log n, scaled{promise}."
+    )

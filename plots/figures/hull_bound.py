@@ -1,7 +1,6 @@
 """Where the proof of the report's claim on hull insertion fails first."""
-import matplotlib.pyplot as plt
-
 from figures.drawing import Gallery, dots, finish, triangulation
+from figures.panels import grid
 
 TITLE = "A hull that weighs more than the whole"
 CAPTION = (
@@ -10,11 +9,12 @@ CAPTION = (
 )
 
 
-def draw(results):
+def draw(results, layout):
     gallery = Gallery(results)
     if not gallery.has("hull_only.csv", "hull_bound_counterexample.csv"):
         return None
-    figure, all_axes = plt.subplots(1, 2, figsize=(7.4, 3.9))
+    layout = layout.divided(2)
+    figure, all_axes = grid(2, layout, 0.85 * layout.panel_width)
     for axes, name, text in zip(
         all_axes, ("hull_only", "hull_bound_counterexample"), ("the hull alone", "with the inner point")
     ):

@@ -1,14 +1,14 @@
 """The quadtree's grid and the triangulation that is merged from it."""
-import matplotlib.pyplot as plt
 from matplotlib.patches import Rectangle
 
 from figures.drawing import Gallery, dots, excess, finish, triangulation
+from figures.panels import grid
 from library.style import ORANGE
 
 TITLE = "The quadtree's grid"
 CAPTION = (
     "Section 5.4 of the report on 150 clustered points: the bounding square is split until no cell holds more than four"
-    " points (left); each cell is triangulated by itself and merged with its neighbours (right; vermilion: edges that"
+    " points (first picture); each cell is triangulated by itself and merged with its neighbours (second; vermilion: edges that"
     " the optimum, pale, does not have)."
 )
 SET = "grid_points"
@@ -33,14 +33,15 @@ def leaves(points, x, y, size):
     ]
 
 
-def draw(results):
+def draw(results, layout):
     gallery = Gallery(results)
     if not gallery.has(f"{SET}.csv"):
         return None
     points = gallery.points(SET)
     xs, ys = zip(*points)
     cells = leaves(points, min(xs), min(ys), max(max(xs) - min(xs), max(ys) - min(ys)))
-    figure, all_axes = plt.subplots(1, 2, figsize=(9.2, 4.9))
+    layout = layout.divided(2)
+    figure, all_axes = grid(2, layout, 1.06 * layout.panel_width)
     for x, y, size in cells:
         all_axes[0].add_patch(Rectangle((x, y), size, size, facecolor="none", edgecolor=ORANGE, linewidth=0.8))
     dots(all_axes[0], points, 6)

@@ -1,103 +1,117 @@
 """Running times by n with fitted lines."""
-import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.fits import power_law
-from library.style import Styles, legend_below, report_first
+from figures.fits import is_exponential, power_law, upper_half
+from figures.panels import grid, set_time_ticks
+from library.style import Styles, legend_columns, name_of
 
 TITLE = "Running time by n"
-CAPTION = (
-    "Median wall time of the algorithm alone on uniform points; lines are fitted through the logarithms of the upper"
-    " half of the sizes, and the legend states their slope: the time grows like n to that power. The report's literal"
-    " algorithms are on the left, their fast counterparts and the exact solvers on the right; brute_force and subset_dp"
-    " are exponential."
-)
-PANELS = {
-    "as the report writes them": (
-        "brute_force",
-        "greedy_report",
-        "hull_insertion",
-        "flip_report",
-        "quadtree",
-        "delaunay",
-    ),
-    "fast and exact": (
-        "sweep",
-        "delaunay",
-        "greedy",
-        "flip",
-        "patch",
-        "annealing",
-        "subset_dp",
-        "triangle_lp",
-        "exact",
-    ),
-}
-FAMILY = "uniform"
+REPORTS = ("brute_force", "greedy_report", "hull_insertion", "flip_report", "quadtree", "delaunay")
+IN_BOTH = ("delaunay",)  # to compare with
 SMALLEST_FITTED_TIME_S = 2e-5
-EXPONENTIAL = ("brute_force", "subset_dp")  # no power of n fits them
+SMALLEST_SPAN = 4  # of the sizes; over fewer, a power law and an exponential one look alike
+LEGEND_SIZE = 7.5
+
+def times_of(results):
+    """The family on which most algorithms ran at most sizes, and the times on it: {label: median by n}."""
+    runs = results.finished[results.finished["wall_time_s"].notna()]
+    cells = runs.groupby(["family", "label"])["n"].nunique()
+    cells = cells[cells > 1].groupby("family").sum()
+    if cells.empty:
+        return None, {}
+    family = max((family for family in results.families if family in cells), key=lambda family: cells[family])
+    of_family = runs[runs["family"] == family]
+    by_instance = of_family.groupby(["label", "n", "instance_id"])["wall_time_s"].median()
+    medians = by_instance.groupby(["label", "n"]).median()
+    present = set(of_family["label"])
+    return family, {label: medians[label] for label in results.labels if label in present}
+
+
+def panels_of(results, labels):
+    """{title: labels}: the report's algorithms beside all others where the study is about the report."""
+    if not results.judges_claims:
+        return {"": labels}
+    reports = [label for label in labels if name_of(label) in REPORTS]
+    others = [label for label in labels if name_of(label) not in REPORTS or name_of(label) in IN_BOTH]
+    panels = {"as the report writes them": reports, "fast, exact and others": others}
+    return {title: labels for title, labels in panels.items() if labels}
+
+
+def grows_exponentially(times):
+    times = times[times > SMALLEST_FITTED_TIME_S]
+    return is_exponential(times.index.to_numpy(float), times.to_numpy())
 
 
 def fitted(times):
-    """The slope over the upper half of the sizes, which small costs disturb least; None if there are too few."""
+    """The slope over the upper half of the sizes, which small costs disturb least; None if there are too few or if times
+    grow exponentially."""
     times = times[times > SMALLEST_FITTED_TIME_S]
-    upper = times[len(times) // 2 :] if len(times) > 5 else times
+    if times.empty or times.index[-1] < SMALLEST_SPAN * times.index[0] or grows_exponentially(times):
+        return None
+    upper = upper_half(times)
     return power_law(upper.index.to_numpy(float), upper.to_numpy()) + (upper.index,) if len(upper) > 2 else None
 
 
-def draw_panel(axes, runs, labels, styles):
-    for label in labels:
-        times = runs[runs["label"] == label].groupby("n")["wall_time_s"].median()
-        style = dict(styles[label], linestyle="")
-        fit = None if label in EXPONENTIAL else fitted(times)
+def draw_panel(axes, times, styles):
+    for label, of_label in times.items():
+        fit = fitted(of_label)
         name = label
         if fit:
             exponent, factor, sizes = fit
             ends = np.array([sizes[0], sizes[-1]], float)
             axes.plot(ends, factor * ends**exponent, color=styles.colour(label), linewidth=1.1)
             name = f"{label}  $n^{{{exponent:.2f}}}$"
-        axes.plot(times.index, times, label=name, **style)
+        axes.plot(of_label.index, of_label, label=name, **styles.mark(label))
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlabel("points n")
     axes.minorticks_off()
-    axes.legend(
-        fontsize=7.5, loc="upper left", bbox_to_anchor=(-0.02, -0.13), ncol=3, handletextpad=0.2, columnspacing=0.8
-    )
 
 
-def draw(results):
-    runs = results.runs
-    runs = runs[
-        (runs["family"] == FAMILY)
-        & (runs["status"] == "ok")
-        & runs["wall_time_s"].notna()
-        & (runs["stopped_early"] == 0)
-    ]
-    panels = {
-        title: [label for label in report_first(set(runs["label"])) if label in names]
-        for title, names in PANELS.items()
-    }
-    if not any(panels.values()):
+def legend_rows(names, inches):
+    """(columns, rows) of a legend below a panel."""
+    columns = min(4, legend_columns(inches, [f"{name}  n1.23" for name in names], LEGEND_SIZE))
+    return columns, -(-len(names) // columns)
+
+
+def draw(results, layout):
+    _, times = times_of(results)
+    if not times:
         return None
-    figure, all_axes = plt.subplots(1, 2, figsize=(9.4, 4.9), sharey=True)
-    for axes, (title, labels) in zip(all_axes, panels.items()):
-        draw_panel(axes, runs, labels, Styles(labels))
+    panels = panels_of(results, list(times))
+    layout = layout.divided(len(panels))
+    legends = [legend_rows(labels, layout.panel_width - 0.4) for labels in panels.values()]
+    height = 3.4 + 0.17 * max(rows for _, rows in legends)
+    figure, all_axes = grid(len(panels), layout, height, sharey=True)
+    for axes, (title, labels), (of_legend, _) in zip(all_axes, panels.items(), legends):
+        draw_panel(axes, {label: times[label] for label in labels}, Styles(labels))
         axes.set_title(title)
-    low, high = all_axes[0].get_ylim()
-    ticks = {
-        1e-6: "1 µs",
-        1e-5: "10 µs",
-        1e-4: "100 µs",
-        1e-3: "1 ms",
-        1e-2: "10 ms",
-        1e-1: "100 ms",
-        1: "1 s",
-        10: "10 s",
-        100: "100 s",
-    }
-    shown = [tick for tick in ticks if low <= tick <= high * 2]
-    all_axes[0].set_yticks(shown, [ticks[tick] for tick in shown])
-    all_axes[0].set_ylabel("wall time")
+        axes.legend(
+            fontsize=LEGEND_SIZE,
+            loc="upper left",
+            bbox_to_anchor=(-0.02, -0.15),
+            ncol=of_legend,
+            handletextpad=0.2,
+            columnspacing=0.8,
+        )
+    for axes in all_axes[:: layout.columns]:
+        set_time_ticks(axes.yaxis)
+        axes.set_ylabel("wall time")
     figure.tight_layout()
     return figure
+
+
+def caption(results):
+    family, times = times_of(results)
+    curved = [label for label, of_label in times.items() if grows_exponentially(of_label)]
+    sentences = [
+        f"Median wall time of the algorithm alone on {family}; lines are fitted through the logarithms of the upper half of"
+        " the sizes, and the legend states their slope: the time grows like n to that power. Times below"
+        f" {1e6 * SMALLEST_FITTED_TIME_S:.0f} µs are drawn but not fitted, and sizes that span less than a factor of"
+        f" {SMALLEST_SPAN} say nothing about growth."
+    ]
+    if results.judges_claims:
+        sentences.append("The report’s literal algorithms have a panel of their own.")
+    if curved:
+        sentences.append(f"No power of n fits {', '.join(curved)}: an exponential function does.")
+    return " ".join(sentences)

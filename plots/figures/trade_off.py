@@ -1,22 +1,36 @@
 """What time buys: excess over the optimum against running time, at the largest n that the study has in common."""
-import matplotlib.pyplot as plt
+import math
 
-from library.records import RANDOM_FAMILIES
-from library.style import INK, Styles, report_first
+from figures.panels import grid, large_enough, legend, percent_ticks, set_time_ticks
+from library.style import INK, Styles
 
 TITLE = "What time buys"
-CAPTION = (
-    "Median excess over the proved optimum against median running time at n = {n:,}, one panel per family. The stepped"
-    " line is the Pareto front: nothing is both faster and better. Optimal results lie on the bottom line."
-)
-LOWEST_EXCESS = 1e-6
-FEWEST_ALGORITHMS = 5
+LOWEST_DECADE = -6
+ENOUGH_ALGORITHMS = 5
+MOST_FAMILIES = 3
+NEARLY_ALL = 0.85  # of the algorithms
 
 
-def largest_common_n(rated):
-    counts = rated[rated["family"].isin(RANDOM_FAMILIES)].groupby("n")["label"].nunique()
-    counts = counts[counts >= FEWEST_ALGORITHMS]
-    return int(counts.index.max()) if len(counts) else None
+def sizes_of(counts):
+    """Of the numbers of algorithms by n: the largest n with many, and the largest at which nearly all can be compared."""
+    many = counts.index[counts >= min(ENOUGH_ALGORITHMS, counts.max())].max()
+    most = counts.index[counts >= NEARLY_ALL * counts.max()].max()
+    return sorted({int(many), int(most)}, reverse=True)
+
+
+def chosen(results):
+    """The panels: {n: [(family, observations of several algorithms), ...]}."""
+    observations = large_enough(results.observations)
+    counts = observations.groupby(["n", "family"])["label"].nunique()
+    counts = counts[counts > 1]
+    if counts.empty:
+        return {}
+    panels = {}
+    for n in sizes_of(counts.groupby("n").max()):
+        families = [family for family in results.families if (n, family) in counts.index][:MOST_FAMILIES]
+        of_n = observations[observations["n"] == n]
+        panels[n] = [(family, of_n[of_n["family"] == family]) for family in families]
+    return panels
 
 
 def front(points):
@@ -30,77 +44,64 @@ def front(points):
     return kept
 
 
-def draw_panel(axes, cells, styles):
+def draw_panel(axes, cells, labels, styles):
+    medians = cells.groupby("label")[["wall_time_s", "alpha_upper"]].median()
     points = [
-        (label, cell["wall_time_s"].median(), max((cell["alpha_upper"] - 1).median(), LOWEST_EXCESS))
-        for label, cell in cells.groupby("label")
+        (label, medians["wall_time_s"][label], max(medians["alpha_upper"][label] - 1, 10.0**LOWEST_DECADE))
+        for label in labels
+        if label in medians.index
     ]
     steps = front(points)
     axes.step(
         [time for _, time, _ in steps], [excess for _, _, excess in steps], where="post", color=INK, linewidth=0.8
     )
     for label, time, excess in points:
-        style = dict(styles[label], linestyle="")
-        axes.plot(time, excess, clip_on=False, markersize=7, **style)
+        axes.plot(time, excess, label=label, clip_on=False, markersize=7, **styles.mark(label))
     axes.set_xscale("log")
     axes.set_yscale("log")
-    times = [time for _, time, _ in points]
-    axes.set_xlim(min(times) / 2, max(times) * (max(times) / min(times)) ** 0.45)  # room for names
-    return points
+    axes.minorticks_off()
 
 
-def place_names(axes, points):
-    """Names beside the marks, where they meet neither marks nor other names. The axes must have their final size."""
-    places = [
-        ("left", (6, 2)),
-        ("left", (6, -9)),
-        ("right", (-6, 2)),
-        ("left", (2, 7)),
-        ("left", (2, -14)),
-        ("left", (6, 13)),
-    ]
-    marks = [axes.transData.transform((time, excess)) for _, time, excess in points]
-    taken = [(x - 6, y - 6, x + 6, y + 6) for x, y in marks]
-    pixel = axes.figure.dpi / 72
-    for (label, time, excess), (x, y) in sorted(zip(points, marks), key=lambda item: item[0][2]):
-        width, height = 4.6 * pixel * len(label), 9 * pixel
-        for alignment, (dx, dy) in places:
-            left = x + dx * pixel - (width if alignment == "right" else 0)
-            bottom = y + (dy - 1) * pixel
-            box = (left, bottom, left + width, bottom + height)
-            if not any(overlap(box, other) for other in taken):
-                break
-        taken.append(box)
-        axes.annotate(label, (time, excess), xytext=(dx, dy), textcoords="offset points", fontsize=7.5, ha=alignment)
+def rows_of(panels, columns):
+    """(n, family, observations) row by row, every n in rows of its own; None fills them up."""
+    cells = []
+    for n, of_n in panels.items():
+        cells += [(n, *panel) for panel in of_n] + [None] * (-len(of_n) % columns)
+    return cells
 
 
-def overlap(a, b):
-    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
-
-
-def draw(results):
-    n = largest_common_n(results.rated)
-    if n is None:
+def draw(results, layout):
+    panels = chosen(results)
+    if not panels:
         return None
-    cells = results.rated[(results.rated["n"] == n) & ~results.rated["label"].str.contains(" ")]  # usual configurations
-    families = [family for family in RANDOM_FAMILIES if family in set(cells["family"])]
-    styles = Styles(report_first(set(cells["label"])))
-    figure, grid = plt.subplots(1, len(families), figsize=(3.3 * len(families) + 0.4, 3.6), sharey=True, squeeze=False)
-    drawn = []
-    for axes, family in zip(grid[0], families):
-        drawn.append((axes, draw_panel(axes, cells[cells["family"] == family], styles)))
-        axes.set_title(f"{family}, n = {n:,}")
-        axes.set_xlabel("wall time in s")
-        axes.minorticks_off()
-    ticks = [10.0**d for d in range(-6, 2)]
-    grid[0][0].set_yticks(ticks, ["optimal"] + [f"{100 * tick:,g} %" for tick in ticks[1:]])
-    grid[0][0].set_ylim(LOWEST_EXCESS / 1.6, None)
-    grid[0][0].set_ylabel(r"excess $\alpha - 1$")
-    figure.tight_layout()
-    for axes, points in drawn:
-        place_names(axes, points)
+    present = {label for of_n in panels.values() for _, observations in of_n for label in observations["label"]}
+    labels = [label for label in results.labels if label in present]
+    styles = Styles(labels)
+    cells = rows_of(panels, min(layout.columns, max(map(len, panels.values()))))
+    figure, all_axes = grid(len(cells), layout, 3.3, sharey=True)
+    for axes, cell in zip(all_axes, cells):
+        axes.set_visible(cell is not None)
+        if cell is not None:
+            n, family, observations = cell
+            draw_panel(axes, observations, labels, styles)
+            axes.set_title(f"{family}, n = {n:,}")
+            axes.set_xlabel("wall time")
+            set_time_ticks(axes.xaxis, most=4)
+    worst = max(observations["alpha_upper"].max() for of_n in panels.values() for _, observations in of_n)
+    ticks, texts = percent_ticks(LOWEST_DECADE, max(-2, math.ceil(math.log10(max(worst - 1, 1e-9)))))
+    all_axes[0].set_ylim(ticks[0] / 1.6, ticks[-1] * 1.2)
+    all_axes[0].set_yticks(ticks, texts)
+    for axes in all_axes[:: layout.columns]:
+        axes.set_ylabel(r"excess $\alpha - 1$")
+    legend(figure, all_axes, layout)
     return figure
 
 
 def caption(results):
-    return CAPTION.format(n=largest_common_n(results.rated) or 0)
+    sizes = list(chosen(results))
+    return (
+        "Median excess over the proved optimum against median running time, one panel per family, at"
+        f" {' and at '.join(f'n = {n:,}' for n in sizes)}: the largest size that many algorithms reach"
+        f"{', and the largest at which nearly all can be compared' if len(sizes) > 1 else ''}. The stepped line is the Pareto"
+        " front: nothing is both faster and better. Optimal results lie on the bottom line."
+    )

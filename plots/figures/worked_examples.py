@@ -1,7 +1,6 @@
 """The report's ten points A .. J, triangulated by its two algorithms."""
-import matplotlib.pyplot as plt
-
 from figures.drawing import Gallery, dots, excess, finish, triangulation
+from figures.panels import fold, grid
 
 TITLE = "The report's worked example"
 CAPTION = (
@@ -13,17 +12,19 @@ SET = "report_example"
 SHOWN = {"greedy_report": "greedy (5.1)", "hull_insertion": "hull DP + insertion (5.2)"}
 
 
-def draw(results):
+def draw(results, layout):
     gallery = Gallery(results)
     if not gallery.has(f"{SET}.csv"):
         return None
     points = gallery.points(SET)
     optimum = gallery.edges(SET, "exact")
-    figure, all_axes = plt.subplots(1, 2, figsize=(8, 3.7))
+    layout = layout.divided(len(SHOWN))
+    figure, all_axes = grid(len(SHOWN), layout, 0.85 * layout.panel_width)
     for axes, (algorithm, name) in zip(all_axes, SHOWN.items()):
         triangulation(axes, points, gallery.edges(SET, algorithm), optimum, linewidth=1.1)
         dots(axes, points, 12, "ABCDEFGHIJ")
         solution = gallery.solution(SET, algorithm)
-        finish(axes, points, f"{name}: {solution['weight_upper']:.4f}, {excess(solution)}")
+        text = f"{name}: {solution['weight_upper']:.4f}, {excess(solution)}"
+        finish(axes, points, fold(text, layout.panel_width))
     figure.tight_layout()
     return figure

@@ -22,11 +22,17 @@
     return element;
   }
 
-  function readable(value, unit) {
-    if (unit === "bytes") return (value / 1048576).toFixed(1) + " MiB";
-    if (unit !== "s") return Number(value.toPrecision(7)).toString();
-    for (const [size, name] of [[1, "s"], [1e-3, "ms"], [1e-6, "µs"]]) if (value >= size) return (value / size).toPrecision(3) + " " + name;
-    return (value * 1e9).toPrecision(3) + " ns";
+  function readable(value, unit, digits = 3) {
+    if (unit === "bytes") return (value / 1048576).toFixed(Math.max(1, digits - 2)) + " MiB";
+    if (unit !== "s") return Number(value.toPrecision(Math.max(7, digits))).toString();
+    for (const [size, name] of [[1, "s"], [1e-3, "ms"], [1e-6, "µs"]]) if (value >= size) return (value / size).toPrecision(digits) + " " + name;
+    return (value * 1e9).toPrecision(digits) + " ns";
+  }
+
+  // One of the ends of a scale: as many digits as tell it from the other end.
+  function scaleText(value, span, unit) {
+    const digits = Math.min(12, Math.max(3, Math.ceil(Math.log10(Math.abs(value) / span)) + 2));
+    return readable(unit === "s" || unit === "bytes" ? value : Number(value.toPrecision(digits)), unit, digits);
   }
 
   class Sparkline {
@@ -35,10 +41,12 @@
       const figure = add(place, "figure", { className: "sparkline" });
       this.name = `${series.algorithm} · ${series.instance} n=${series.n} · ${series.measure}`;
       add(figure, "figcaption", { textContent: this.name });
-      this.svg = draw(figure, "svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", tabindex: 0, role: "img" });
+      this.chart = add(figure, "div", { className: "chart" });
+      this.svg = draw(this.chart, "svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", tabindex: 0, role: "img" });
       this.output = add(figure, "output");
       this.scale();
       this.drawLines();
+      this.nameScale();
       this.tell(series.values.length - 1);
       this.svg.addEventListener("pointermove", (event) => this.follow(event));
       this.svg.addEventListener("pointerleave", () => this.tell(series.values.length - 1));
@@ -48,11 +56,14 @@
     scale() {
       const { nights, values, aspect } = this.series;
       const sorted = [...values].sort((a, b) => a - b), last = sorted.length - 1;
-      const low = sorted[Math.floor(0.05 * last)], high = sorted[Math.ceil(0.95 * last)];
-      // Spikes are cut off, and noise of less than a percent is not blown up; what is exact has no noise.
-      const least = aspect === "time" || aspect === "memory" ? 0.02 * high : 0;
-      const span = Math.max(1.5 * (high - low), least) || 1;
-      const middle = (low + high) / 2, first = nights[0], length = Math.max(1, nights[nights.length - 1] - first);
+      // Of what has noise, spikes are cut off and less than two percent is not blown up; what is exact is shown whole.
+      const noisy = aspect === "time" || aspect === "memory";
+      const low = sorted[noisy ? Math.floor(0.05 * last) : 0], high = sorted[noisy ? Math.ceil(0.95 * last) : last];
+      const span = this.span = Math.max(1.5 * (high - low), noisy ? 0.02 * high : 0) || 1;
+      this.isConstant = sorted[0] === sorted[last];
+      // No scale goes below zero for values that do not.
+      const middle = this.middle = this.isConstant || low < 0 ? (low + high) / 2 : Math.max((low + high) / 2, span / 2);
+      const first = nights[0], length = Math.max(1, nights[nights.length - 1] - first);
       this.x = (night) => EDGE + (WIDTH - 2 * EDGE) * (night - first) / length;
       const inside = (y) => Math.min(HEIGHT - EDGE, Math.max(EDGE, y));
       this.y = (value) => inside(HEIGHT / 2 - (HEIGHT - 2 * EDGE) * (value - middle) / span);
@@ -70,6 +81,20 @@
         draw(this.svg, "line", { class: step.worse ? "step worse" : "step better", x1: this.x(step.night), x2: this.x(step.night), y1: 0, y2: HEIGHT });
       });
       this.here = draw(this.svg, "path", { class: "here" });
+    }
+
+    // The values at both ends of the scale, or the only one; the first and the last night.
+    nameScale() {
+      const { nights, values, unit } = this.series;
+      const name = (className, textContent) => add(this.chart, "span", { className, textContent });
+      if (this.isConstant) {
+        name("only", readable(values[0], unit));
+      } else {
+        name("high", scaleText(this.middle + this.span / 2, this.span, unit));
+        name("low", scaleText(this.middle - this.span / 2, this.span, unit));
+      }
+      name("first", data.nights[nights[0]].date);
+      if (nights.length > 1) name("last", data.nights[nights[nights.length - 1]].date);
     }
 
     drawLevel(begin, end, value) {

@@ -32,7 +32,7 @@ SKELETON = """<!doctype html>
 <li><button type="button" id="theme">light / dark</button></li>
 </ul></nav>
 <main id="main">
-<noscript><p>Verdicts and figures are below; the tables need scripts, which this page brings along.</p></noscript>
+<noscript><p>The figures are below; the tables need scripts, which this page brings along.</p></noscript>
 {sections}
 </main>
 <footer class="soft">
@@ -101,7 +101,7 @@ def share_texts(column, rows, position):
 
 
 def plain(value):
-    """What json does not know: NumPy's numbers."""
+    """For json, which has no NumPy numbers."""
     return value.item()
 
 
@@ -116,11 +116,13 @@ def escape(text):
     return html.escape(str(text), quote=True)
 
 
-def figure(name, svg, title, caption, width):
-    """`width` in CSS pixels is the natural one; a narrower screen scales or scrolls it."""
-    svg = svg.replace("<svg ", f'<svg width="{width:.0f}" ', 1)
-    return (
-        f'<h3 id="figure-{name}">{escape(title)}</h3>\n<figure><div class="picture" tabindex="0" role="group" '
-        f'aria-label="{escape(title)}">{svg}</div>'
-        f"<figcaption>{escape(caption)}</figcaption></figure>"
+def figure(name, wide, narrow, title, caption, is_folded=False):
+    """A figure drawn twice, for wide and for narrow screens: page.css shows one. Each drawing is an SVG and its natural width
+    in CSS pixels; what is still narrower scales it. A folded one shows its title only, until the reader opens it."""
+    pictures = "".join(
+        f'<div class="picture {kind}">{svg.replace("<svg ", f"""<svg width="{width:.0f}" """, 1)}</div>'
+        for kind, (svg, width) in (("wide", wide), ("narrow", narrow))
     )
+    heading = f'<h3 id="figure-{name}">{escape(title)}</h3>'
+    body = f"<figure>{pictures}<figcaption>{escape(caption)}</figcaption></figure>"
+    return f"<details><summary>{heading}</summary>\n{body}</details>" if is_folded else f"{heading}\n{body}"

@@ -169,7 +169,9 @@ class DataTable {
   command(row) {
     const cells = Object.fromEntries(
       this.columns.map((column, position) => [column.title, String(this.cell(row, position))]));
-    const options = (text) => text.split(" ").filter(Boolean).map((pair) => ` --param ${pair}`).join("");
+    const quoted = (text) => (/^[\w.,:=/+-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+    const options = (text) => text.split(" ").filter(Boolean)
+      .map((pair) => ` --param ${quoted(decodeURIComponent(pair.replace(/%(?![0-7][0-9A-F])/g, "%25")))}`).join("");
     const template = this.templates[cells[this.template_column]] || this.templates[""];
     return template.replace(/\{([^{}]+?)( options)?\}/g,
       (_, name, asOptions) => asOptions ? options(cells[name]) : cells[name]);

@@ -2,24 +2,40 @@
 import functools
 import pathlib
 import sys
+import tomllib
+import urllib.parse
 
 import pandas as pd
 
-KNOWN_SCHEMAS = {1, 2}
-TEXT_COLUMNS = ("params", "generator_params", "message", "counters", "phases", "triangulation_count", "optimum_note")
-RANDOM_FAMILIES = ("uniform", "normal", "clustered")
+from library.style import name_of, report_first
+
+KNOWN_SCHEMAS = {1, 2, 3}
+TEXT_COLUMNS = (
+    "params",
+    "generator_params",
+    "message",
+    "checker",
+    "counters",
+    "phases",
+    "triangulation_count",
+    "optimum_note",
+    "optimal",
+)
+CELL = ["family", "label", "n"]
+USUAL_FAMILIES = ("uniform", "normal", "clustered")  # what readers look for first, where a study has it
+OPTIMAL = 1 + 1e-9  # an alpha up to here is drawn and counted as optimal
 
 
 class Results:
-    """A results folder. Tables are read when they are first asked for."""
+    """A results folder after `mwt report`. Tables are read when they are first used."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
 
-    def _read(self, name):
+    def _read(self, name, maker="mwt run STUDY --out"):
         path = self.folder / name
         if not path.is_file():
-            sys.exit(f"{path}: no such file; make it with: mwt run STUDY --out {self.folder}")
+            sys.exit(f"{path}: no such file; make it with: {maker} {self.folder}")
         table = pd.read_csv(path, dtype={column: str for column in TEXT_COLUMNS}, low_memory=False)
         if "schema_version" in table and set(table["schema_version"]) - KNOWN_SCHEMAS:
             sys.exit(f"{path}: a schema version that this script does not know")
@@ -29,21 +45,60 @@ class Results:
 
     @functools.cached_property
     def runs(self):
-        """All runs, with a `label` per algorithm and a `family` per generator: names alone where the study has one
-        configuration of it, with what tells them apart otherwise."""
+        """All runs, rated by the tightest bounds in the records, with a `label` per algorithm and a `family` per generator:
+        names alone where the study has one configuration of it, with the parameters that differ otherwise."""
         runs = self._read("runs.csv")
         runs["label"] = labels(runs["algorithm"], runs["params"])
         runs["family"] = labels(runs["generator"], runs["generator_params"])
         is_file = runs["generator"] == "file"
-        runs.loc[is_file, "family"] = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
+        names = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
+        runs.loc[is_file, "family"] = names.map(urllib.parse.unquote)  # blanks are written as in a URL
+        ratings = self._read("ratings.csv", "mwt report").set_index("run_id")
+        of_runs = ratings.reindex(runs["run_id"])
+        for column in ("optimality", "alpha_lower", "alpha_upper", "optimal"):
+            runs[column] = of_runs[column].to_numpy()
+        runs["optimal"] = runs["optimal"].fillna("")
         return runs
 
     @functools.cached_property
+    def finished(self):
+        """The runs with a checked triangulation that nothing cut short."""
+        return self.runs[(self.runs["status"] == "ok") & (self.runs["stopped_early"] == 0)]
+
+    @functools.cached_property
     def rated(self):
-        """The runs whose alpha is certified against a proved optimum; not those that the deadline cut short."""
-        return self.runs[
-            (self.runs["status"] == "ok") & (self.runs["optimality"] == "proved") & (self.runs["stopped_early"] == 0)
-        ]
+        """Those of them whose alpha is certified against a proved optimum."""
+        return self.finished[self.finished["optimality"] == "proved"]
+
+    @functools.cached_property
+    def observations(self):
+        """One row per algorithm and instance: medians over the repetitions of what is rated, for repetitions on the same
+        points are not independent."""
+        by_instance = self.rated.groupby([*CELL, "instance_id"], sort=False)
+        return by_instance[["alpha_lower", "alpha_upper", "wall_time_s"]].median().reset_index()
+
+    @functools.cached_property
+    def families(self):
+        """The families, those that readers look for first: the usual random ones, then the others by the largest alpha."""
+        worst = self.observations.groupby("family")["alpha_upper"].max()
+        usual = {family: position for position, family in enumerate(USUAL_FAMILIES)}
+        present = dict.fromkeys(self.runs["family"])
+        return sorted(present, key=lambda family: (usual.get(name_of(family), len(usual)), -worst.get(family, 0)))
+
+    @functools.cached_property
+    def labels(self):
+        """The algorithms and their variants, from the crude to the exact, unknown ones after them."""
+        return report_first(set(self.runs["label"]))
+
+    @functools.cached_property
+    def summary(self):
+        """summary.csv with the `label` and `family` of runs."""
+        summary = self._read("summary.csv", "mwt report")
+        runs = self.runs
+        for name, keys in (("label", ("algorithm", "params")), ("family", ("generator", "generator_params"))):
+            known = dict(zip(zip(*(runs[key] for key in keys)), runs[name]))
+            summary[name] = [known[key] for key in zip(*(summary[key] for key in keys))]
+        return summary
 
     @functools.cached_property
     def instances(self):
@@ -52,6 +107,20 @@ class Results:
     @functools.cached_property
     def environments(self):
         return self._read("environments.csv")
+
+    @functools.cached_property
+    def study_text(self):
+        return (self.folder / "study.toml").read_text(encoding="utf-8")
+
+    @functools.cached_property
+    def study(self):
+        """The study file's content."""
+        return tomllib.loads(self.study_text)
+
+    @functools.cached_property
+    def judges_claims(self):
+        """Whether `mwt report` judged the source report's claims by this study: it does so where the study is made for it."""
+        return (self.folder / "claims.csv").is_file()
 
     @functools.cached_property
     def claims(self):
@@ -64,15 +133,18 @@ class Results:
 
 
 def labels(names, parameters):
-    """A name alone where only one configuration has it; else with the parameters in which its configurations differ. The
-    commonest configuration keeps the bare name."""
+    """A name alone where only one configuration has it; else with the parameters in which its configurations differ. One
+    that is commoner than all others of the name keeps the bare name."""
     configurations = pd.DataFrame({"name": names, "parameters": parameters})
     result = {}
     for name, group in configurations.groupby("name", sort=False):
         counts = group["parameters"].value_counts()
-        usual = dict(part.split("=", 1) for part in counts.index[0].split() if "=" in part)
+        values = {text: dict(part.split("=", 1) for part in text.split() if "=" in part) for text in counts.index}
+        has_usual = len(counts) == 1 or counts.iloc[0] > counts.iloc[1]
+        usual = values[counts.index[0]] if has_usual else {}
+        keys = [key for key in values[counts.index[0]] if len({one.get(key) for one in values.values()}) > 1]
         for text in counts.index:
-            values = dict(part.split("=", 1) for part in text.split() if "=" in part)
-            differing = [f"{key}={value}" for key, value in values.items() if usual.get(key) != value]
+            own = values[text]
+            differing = [f"{key}={own[key]}" for key in keys if key in own and own[key] != usual.get(key)]
             result[name, text] = " ".join([name, *differing])
     return [result[key] for key in zip(configurations["name"], configurations["parameters"])]

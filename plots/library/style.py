@@ -2,8 +2,9 @@
 
 Colours are Okabe and Ito's, which the colour-blind can tell apart, with two more for algorithms that never share a panel
 with their neighbours in hue; markers carry the same distinction for print in grey. An algorithm of the report and its
-fast counterpart share a colour and differ in the marker.
+fast counterpart share a colour and differ in the marker. Algorithms without a line here get one that is still free.
 """
+import dataclasses
 import io
 import re
 
@@ -37,10 +38,38 @@ ALGORITHMS = {
     "subset_dp": (GREY, "<", False),
     "polygon_dp": (GREY, ">", False),
     "triangle_lp": (GREY, "d", False),
+    "two_chains": (GREY, "8", False),
     "exact": (INK, "*", True),
 }
-OTHERS = [(SKY, "p"), (PURPLE, "H"), (ORANGE, "8"), (BLUE, "<"), (VERMILION, ">")]
+OTHERS = [(SKY, "p"), (PURPLE, "H"), (ORANGE, "8"), (BLUE, "<"), (VERMILION, ">"), (GREEN, "D"), (PINK, "s"), (GREY, "v")]
 LINES = ["-", "--", ":", "-."]
+FILLS = ["full", "left", "right", "top", "bottom"]  # of markers, for the variants of one algorithm
+
+
+@dataclasses.dataclass(frozen=True)
+class Layout:
+    """The room that a figure has: how many panels side by side, and inches for each of them and beside them."""
+
+    columns: int
+    panel_width: float
+    margin: float
+
+    def width(self, columns):
+        return columns * self.panel_width + self.margin
+
+    def divided(self, columns):
+        """The same room for fewer or more panels side by side; a narrow page keeps one column."""
+        if self.is_narrow:
+            return self
+        return Layout(columns, self.columns * self.panel_width / columns, self.margin)
+
+    @property
+    def is_narrow(self):
+        return self.columns == 1
+
+
+WIDE = Layout(columns=3, panel_width=3.0, margin=0.4)
+NARROW = Layout(columns=1, panel_width=3.16, margin=0)  # a phone of 390 pixels
 
 
 def name_of(label):
@@ -48,24 +77,31 @@ def name_of(label):
     return label.split(" ")[0]
 
 
+def base_style(name):
+    """An algorithm's (colour, marker, whether the marker is filled). A name without a line in ALGORITHMS gets one."""
+    if name not in ALGORITHMS:
+        taken = {look[:2] for look in ALGORITHMS.values()}
+        free = [look for look in OTHERS if look not in taken] or OTHERS
+        ALGORITHMS[name] = (*free[0], True)
+    return ALGORITHMS[name]
+
+
 class Styles:
-    """How to draw each of `labels`: an algorithm's colour and marker; its further variants differ by the line."""
+    """How to draw each of `labels`: an algorithm's colour and marker; its further variants differ by line and fill."""
 
     def __init__(self, labels):
         self._styles = {}
         variants = {}
-        unknown = iter(OTHERS * 20)
         for label in labels:
-            name = name_of(label)
-            if name not in ALGORITHMS and name not in variants:
-                ALGORITHMS[name] = (*next(unknown), True)
-            colour, marker, filled = ALGORITHMS[name]
-            variant = variants[name] = variants.get(name, -1) + 1
+            colour, marker, filled = base_style(name_of(label))
+            variant = variants[name_of(label)] = variants.get(name_of(label), -1) + 1
             self._styles[label] = {
                 "color": colour,
                 "marker": marker,
-                "markerfacecolor": colour if filled and variant == 0 else PAPER,
+                "markerfacecolor": colour if filled or variant > 0 else PAPER,
+                "markerfacecoloralt": PAPER,
                 "markeredgecolor": colour,
+                "fillstyle": FILLS[variant % len(FILLS)],
                 "linestyle": LINES[variant % len(LINES)],
             }
 
@@ -74,6 +110,10 @@ class Styles:
 
     def colour(self, label):
         return self._styles[label]["color"]
+
+    def mark(self, label):
+        """The marker alone, without a line."""
+        return dict(self._styles[label], linestyle="")
 
 
 def report_first(labels):
@@ -118,12 +158,31 @@ def use_style():
     )
 
 
-def legend_below(figure, handles, labels, columns=5):
-    """One legend for all panels, under them; panels get the room above it."""
-    columns = min(columns, len(labels))
-    rows = -(-len(labels) // columns)
-    figure.legend(handles, labels, loc="lower center", ncol=columns)
-    figure.tight_layout(rect=(0, (0.12 + 0.19 * rows) / figure.get_figheight(), 1, 1))
+def columns_of(items, count):
+    """How matplotlib divides the entries of a legend: the first columns have one more where they cannot be equal."""
+    rows, longer = divmod(len(items), count)
+    ends = [sum(rows + (column < longer) for column in range(end)) for end in range(count + 1)]
+    return [items[begin:end] for begin, end in zip(ends, ends[1:])]
+
+
+def legend_columns(width, names, font_size):
+    """How many columns a legend of these names may have, so that it is no wider than `width` inches."""
+    widths = [max(len(line) for line in name.split("\n")) * 0.55 * font_size + 30 for name in names]  # points, with the handle
+    fitting = [
+        count for count in range(1, len(names) + 1) if sum(map(max, columns_of(widths, count))) + 12 * count <= 72 * width
+    ]
+    return max(fitting, default=1)
+
+
+def legend_below(figure, handles, labels):
+    """One legend for all panels, under them: the figure grows by the room that it takes."""
+    size = plt.rcParams["legend.fontsize"]
+    columns = legend_columns(figure.get_figwidth(), labels, size)
+    lines = -(-len(labels) // columns) + sum(label.count("\n") for label in labels)
+    room = 0.15 + 0.19 * lines
+    figure.set_figheight(figure.get_figheight() + room)
+    figure.legend(handles, labels, loc="lower center", ncol=columns, columnspacing=1.4, handletextpad=0.4)
+    figure.tight_layout(rect=(0, room / figure.get_figheight(), 1, 1))
 
 
 def svg_text(figure):
@@ -139,10 +198,16 @@ def save(figure, path):
     figure.savefig(path.with_suffix(".png"), dpi=160)
 
 
+def rounded(attribute):
+    """An attribute's numbers to a hundredth of a point."""
+    return re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), attribute[0])
+
+
 def inline_svg(svg, prefix, title):
-    """An SVG for a page: no prologue, ids of its own, colours that follow the page's mode, a name for screen readers."""
+    """An SVG for a page: no prologue, ids of its own, colours that follow the page's mode, a name for screen readers; small."""
     svg = svg[svg.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.S)
+    svg = re.sub(r'\b(?:d|x|y|transform)="[^"]*"', rounded, svg)
     svg = re.sub(r'\bid="([^"]*)"', lambda match: f'id="{prefix}-{match[1]}"', svg)
     svg = re.sub(r'(href="#|url\(#)([^")]*)', lambda match: f"{match[1]}{prefix}-{match[2]}", svg)
     width, height = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', svg).groups()

@@ -43,7 +43,8 @@ struct BinRange {
   int count;
 };
 
-// The bins of all directions from a point of one box to a point of the other. Precondition: the boxes are apart.
+// The bins of all directions from a point of one box to a point of the other. Precondition: the boxes are at least
+// kSmallestDistance apart.
 BinRange directions_between(const Box& from, const Box& to, double scale) {
   const auto low_x = static_cast<float>((to.min_x - from.max_x) * scale),
              high_x = static_cast<float>((to.max_x - from.min_x) * scale);
@@ -116,7 +117,7 @@ bool DiamondTest::may_connect(std::uint32_t leaf, std::uint32_t node) const {
   const Box& from = order_.boxes[leaf];
   const Box& to = order_.boxes[node];
   const float distance = box_distance(from, to, scale_);
-  if (distance == 0) return true;
+  if (distance < kSmallestDistance) return true;
   const std::uint16_t code = code_of(distance);
   if (code >= std::min(farthest_of_node_[leaf], farthest_of_node_[node])) return false;
   const BinRange range = directions_between(from, to, scale_);

@@ -25,9 +25,7 @@ using VectorI = hn::Vec<Int>;
 constexpr Float kFloat;
 constexpr Int kInt;
 
-// Below this squared scaled distance directions of floats are unreliable: such near points neither block nor are
-// blocked.
-constexpr float kSmallestSquare = 0x1p-110F;
+constexpr float kSmallestSquare = kSmallestDistance * kSmallestDistance;
 
 // scale * (coordinates[i] - origin) for one vector of places, subtracted in double.
 HWY_INLINE VectorF scaled_difference(const double* coordinates, double origin, double scale) {
@@ -187,9 +185,10 @@ HWY_INLINE std::uint64_t bits_of(hn::Mask<Float> mask) {
   return bits & ((std::uint64_t{1} << hn::Lanes(kFloat)) - 1);
 }
 
-// Whether both triangles of the edge are occupied, or a near point lies on it. Near leaves farther than the edge is
-// long cannot matter.
+// Whether both triangles of the edge are occupied, or a near point lies on it; never for edges too short to say. Near
+// leaves farther than the edge is long cannot matter.
 HWY_INLINE bool is_excluded(const CandidateSearch& search, const View& view, const ScaledEdge& edge, Index p, Index q) {
+  if (edge.square <= kSmallestSquare) return false;
   const NearPoints& near = search.near;
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
   const auto ex = hn::Set(kFloat, edge.x), ey = hn::Set(kFloat, edge.y), square = hn::Set(kFloat, edge.square);

@@ -10,6 +10,15 @@
 
 namespace mwt {
 
+/// Shorter scaled distances are too short for the diamond test: such near points block nothing, such edges are kept, and
+/// such boxes of the tree count as touching.
+///
+/// Scaled coordinates (see NearPoints::scale) are at most 2^61, so that no sum of their products exceeds 2^125 in
+/// floats. At this distance and above, vectors err by 2^-24 of their length from rounding to float and by 2^-150 where
+/// a component underflows, 2^-95 of that length; products of two components by 2^-24 of the square and by 2^-150,
+/// 2^-40 of it. All margins of the test are relative to lengths and squares, and above 2^-20 of them.
+inline constexpr float kSmallestDistance = 0x1p-55F;
+
 /// Per direction bin, the distance beyond which no edge of a minimum weight triangulation leaves a point (or any point
 /// of a tree node): the upper halves of floats, rounded up. Distances are in scaled units (see NearPoints::scale).
 struct alignas(64) DeadDistances {

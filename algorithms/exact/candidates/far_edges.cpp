@@ -24,12 +24,12 @@ struct Neighbour {
   Index vertex;
 };
 
-// By distance: the nearest first, up to kWitnesses of them in order.
+// By distance: the nearest first, up to kWitnesses of them in order. Those whose vectors floats cannot hold are left out.
 void collect_neighbours(const Star& star, std::vector<Neighbour>& neighbours) {
   neighbours.clear();
   for (std::uint32_t i = 0; i < star.count; ++i) {
-    const float x = star.x()[i], y = star.y()[i];
-    neighbours.push_back({x * x + y * y, x, y, star.target()[i]});
+    const float x = star.x()[i], y = star.y()[i], square = x * x + y * y;
+    if (!std::isnan(square)) neighbours.push_back({square, x, y, star.target()[i]});
   }
   const auto end = neighbours.begin() + static_cast<std::ptrdiff_t>(std::min(neighbours.size(), kWitnesses));
   std::partial_sort(neighbours.begin(), end, neighbours.end(),
@@ -87,6 +87,7 @@ bool has_far_edges(const Star& star) {
   float smallest = std::numeric_limits<float>::infinity(), largest = 0;
   for (std::uint32_t i = 0; i < star.count; ++i) {
     const float square = star.x()[i] * star.x()[i] + star.y()[i] * star.y()[i];
+    if (std::isnan(square)) continue;
     smallest = std::min(smallest, square);
     largest = std::max(largest, square);
   }

@@ -21,7 +21,11 @@ using Word = hn::RebindToUnsigned<Float>;
 constexpr Float kFloat;
 constexpr Word kWord;
 
-// Relative rounding errors of the floats' products and differences stay below this, with room.
+// Relative rounding errors of the floats' products and differences stay below this, with room: vectors err by 2^-24 in
+// each component, differences of two vectors by 2^-23 of both lengths, and what is compared below, products of two of
+// these, by 12 * 2^-24 < 8e-7 of the squares that its margin is relative to. No product that matters underflows
+// (Star::component). Comparisons with components that are not numbers are false; each is used so that false means not
+// sure.
 constexpr float kRounding = 2e-6F;
 
 HWY_INLINE std::uint32_t lanes() { return static_cast<std::uint32_t>(hn::Lanes(kFloat)); }

@@ -34,7 +34,8 @@ struct HullEdges {
 /// certainly shorter: the edge is (or may be) locally minimal in it. Only the stars of vertices reached from `edges`
 /// change.
 ///
-/// All decisions are made in floats with error margins; what is uncertain keeps the edge. After the context's deadline
+/// All decisions are made in floats with error margins; what is uncertain, or not a number (Star::component), keeps the
+/// edge. After the context's deadline
 /// the remaining edges are kept unexamined.
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
                                              std::span<const CandidatePair> edges, const Context& context);

@@ -139,8 +139,8 @@ class LmtStage {
     Star& star = skeleton_.stars.stars[from];
     const std::uint32_t i = star.count++;
     star.target()[i] = to;
-    star.x()[i] = static_cast<float>((order_.points[to].x - order_.points[from].x) * scale_);
-    star.y()[i] = static_cast<float>((order_.points[to].y - order_.points[from].y) * scale_);
+    star.x()[i] = Star::component(order_.points[to].x - order_.points[from].x, scale_);
+    star.y()[i] = Star::component(order_.points[to].y - order_.points[from].y, scale_);
     star.certificate()[i] = Star::kNoCertificate;
   }
 

@@ -55,7 +55,7 @@ TEST(LmtSkeleton, KeepsAllLocallyMinimalEdges) {
     const std::set<Edge> candidates = edges_in(diamond_candidates(order));
     const std::set<Edge> survivors = edges_in(lmt_skeleton(order).stars);
     EXPECT_TRUE(std::includes(candidates.begin(), candidates.end(), survivors.begin(), survivors.end()));
-    if (candidates.size() < naive::possible_edges(order.points).size()) continue;  // the definition knows no diamonds
+    if (candidates.size() < naive::possible_edges(order.points).size()) continue;  // the definition has no diamond test
     for (const Edge& edge : naive::LocallyMinimalEdges(order.points).edges()) EXPECT_TRUE(survivors.contains(edge));
   }
 }

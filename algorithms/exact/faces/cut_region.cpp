@@ -74,7 +74,7 @@ PolygonFaceOutcome CutRegion::solve(std::span<const Edge> cuts, const Deadline& 
   const FaceWalker walker(graph);
   const Index from = region_.place_of(cuts.front().a), to = region_.place_of(cuts.front().b);
   const std::vector<Corner> corners = walker.corners_of_face(from, walker.corner_towards(from, to).halfedge);
-  PolygonFaceSolver solver(graph, graph.points);
+  PolygonFaceSolver solver(graph);
   FaceTriangles found;
   const PolygonFaceOutcome outcome = solver.solve(corners, deadline, found);
   if (outcome != PolygonFaceOutcome::solved) return outcome;

@@ -6,7 +6,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <mutex>
 #include <optional>
@@ -47,16 +46,6 @@ struct Part {
   std::uint64_t largest_face = 0;
 };
 
-// All coordinates smaller than 2^-400 are scaled up by a power of two, so that lengths keep their precision.
-std::vector<Point> scaled_if_tiny(Points points) {
-  const bool is_tiny = std::all_of(points.begin(), points.end(),
-                                   [](const Point& p) { return std::abs(p.x) < 0x1p-400 && std::abs(p.y) < 0x1p-400; });
-  std::vector<Point> scaled;
-  if (!is_tiny) return scaled;
-  for (const Point& p : points) scaled.push_back({p.x * 0x1p600, p.y * 0x1p600});
-  return scaled;
-}
-
 // Calls progress(done) now and then, from one thread at a time.
 class Progress {
  public:
@@ -83,8 +72,7 @@ class FaceSolver {
       : graph_(std::move(graph)),
         context_(context),
         walker_(graph_),
-        scaled_(scaled_if_tiny(graph.points)),
-        solvers_([this] { return PolygonFaceSolver(graph_, scaled_.empty() ? graph_.points : Points(scaled_)); }) {}
+        solvers_([this] { return PolygonFaceSolver(graph_); }) {}
 
   void solve_polygons();
 
@@ -110,7 +98,6 @@ class FaceSolver {
   CandidateGraph graph_;
   Context& context_;
   std::optional<FaceWalker> walker_;
-  std::vector<Point> scaled_;
   tbb::enumerable_thread_specific<PolygonFaceSolver> solvers_;
   std::uint32_t outer_face_ = 0;
   std::vector<Part> parts_;  // of the blocks, then of the long walks

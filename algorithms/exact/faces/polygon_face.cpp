@@ -8,6 +8,7 @@
 
 #include "algorithms/exact/faces/length_sum_comparison.h"
 #include "geometry/predicates.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 
@@ -19,15 +20,12 @@ constexpr std::uint32_t kNoPosition = std::numeric_limits<std::uint32_t>::max();
 // Up to this many corners a vertex's position is found by looking at all of them.
 constexpr std::size_t kSmallFace = 32;
 
-// Shorter sums may have lost bits to underflow, so that their error bounds do not hold.
-constexpr double kTrustedLength = 0x1p-900;
-
 // What a sum of two values' high parts may be above the least such sum without being surely worse. Each value rounded
 // to double errs by 2^-53 of itself (its own error of 2^-80 or less disappears in the slack), so does their sum:
-// two sums that differ by more than 4.1 * 2^-53 of themselves are in true order.
+// two sums that differ by more than 4.1 * 2^-53 of themselves are in true order. Among sums that underflow all are close.
 double close_above(double least) {
   if (least == 0) return 0;
-  if (least < kTrustedLength) return std::numeric_limits<double>::max();
+  if (least < kSmallestTrustedLength) return std::numeric_limits<double>::max();
   return least + least * 0x1p-50;
 }
 
@@ -101,7 +99,7 @@ void PolygonFaceSolver::collect_positions_of_vertices() {
   std::sort(positions_.begin(), positions_.end());
 }
 
-// Those who ask come in the order of the corner's candidates, so that the search goes on where it found the last one.
+// Callers visit candidates in corner order, so the search continues where it found the last one.
 bool PolygonFaceSolver::leads_back(Position position, Index partner) {
   const Corner& corner = corners_[position];
   std::uint32_t& passed = passed_[position];
@@ -160,7 +158,7 @@ void PolygonFaceSolver::compute_row(Position from) {
       if (!find_best_option(from, cell, best_[cell])) continue;
       value_[cell] = value(best_[cell]);
       if (!is_boundary(from, to)) {
-        value_[cell] += length(points_[corners_[from].vertex], points_[corners_[to].vertex]);
+        value_[cell] += length(graph_.points[corners_[from].vertex], graph_.points[corners_[to].vertex]);
       }
       ++counters_.cells;
     }
@@ -228,7 +226,7 @@ int PolygonFaceSolver::compare_options(Position from, const Option& one, const O
   const DoubleDouble sum = value(one);
   const double difference = (sum - value(other)).high;
   const double error = 3 * (static_cast<double>(corners_.size()) + 8) * kDoubleDoubleError * sum.high;
-  if (sum.high >= kTrustedLength && std::abs(difference) > error) return difference > 0 ? 1 : -1;
+  if (sum.high >= kSmallestTrustedLength && std::abs(difference) > error) return difference > 0 ? 1 : -1;
   collect_diagonals(from, one, one_);
   collect_diagonals(from, other, other_);
   const std::optional<int> sign = compare_length_sums(graph_.points, one_, other_);

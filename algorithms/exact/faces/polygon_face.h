@@ -46,8 +46,7 @@ enum class PolygonFaceOutcome {
 /// of the candidates at one of their ends.
 class PolygonFaceSolver {
  public:
-  /// `points` are those of the graph, perhaps multiplied by a power of two: lengths below 2^-900 are compared slowly.
-  PolygonFaceSolver(const CandidateGraph& graph, Points points) : graph_(graph), points_(points) {}
+  explicit PolygonFaceSolver(const CandidateGraph& graph) : graph_(graph) {}
 
   /// Adds the face's optimal triangulation to `result`, unless the outcome is another than `solved`.
   /// Precondition: at least 3 corners.
@@ -98,12 +97,11 @@ class PolygonFaceSolver {
   [[nodiscard]] DoubleDouble value(const Option& option) const { return value_[option.left] + value_[option.right]; }
 
   const CandidateGraph& graph_;
-  Points points_;
   PolygonFaceCounters counters_;
 
   std::span<const Corner> corners_;
   std::vector<std::pair<Index, Position>> positions_;  // of the vertices, sorted; large faces only
-  std::vector<std::uint32_t> passed_;                  // by position: its candidates before the last one asked for
+  std::vector<std::uint32_t> passed_;                  // by position: its candidates up to the last one found
 
   // Cells (i, j), i < j, row by row, ascending j: boundary edges and candidates.
   std::vector<Cell> first_;

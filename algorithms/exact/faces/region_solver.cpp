@@ -78,7 +78,7 @@ class DividedRegion {
       : boundary_(local.boundary),
         deadline_(deadline),
         graph_(graph_of_sides(local.points, triangles, local.boundary)),
-        polygons_(graph_, graph_.points) {
+        polygons_(graph_) {
     std::sort(boundary_.begin(), boundary_.end());
     result_.solved = true;
   }

@@ -1,0 +1,39 @@
+// The ranges in which rounded arithmetic keeps its relative error bounds: what every floating-point filter stands on.
+//
+// A filter compares a rounded value with a margin that is a proven error bound and some room. Such bounds are relative
+// to the magnitudes of the terms, and hold as long as nothing overflows and no product underflows. (Sums and
+// differences of doubles never underflow inexactly.) A product of doubles that underflows is off by at most 2^-1075,
+// and that is negligible as long as the magnitude of the whole is large enough. Outside of these ranges a filter is not
+// sure, whatever it computed, and the slow exact way decides.
+#pragma once
+
+namespace mwt {
+
+/// Sums of products of two differences of coordinates: squared lengths, orientations, scalar products. `magnitude` is
+/// the sum of the products' rounded magnitudes; NaN and infinity are not trusted.
+///
+/// Eight products that underflow are off by 2^-1072 in all, less than 2^-141 of any trusted magnitude (1e-280 > 2^-931).
+/// The margins of all filters leave more room than that, those in double-double arithmetic (2^-95 and more) included:
+/// the bound that is stated there need not mention underflow. The remainder of such a product is exact as well.
+inline constexpr double kSmallestTrustedProduct = 1e-280;
+inline constexpr double kLargestTrustedProduct = 1e300;
+[[nodiscard]] constexpr bool is_trusted_product(double magnitude) {
+  return magnitude > kSmallestTrustedProduct && magnitude < kLargestTrustedProduct;
+}
+
+/// The same for magnitudes of which up to three are multiplied: the results stay within 1e-270 and 1e270.
+[[nodiscard]] constexpr bool is_trusted_factor(double magnitude) { return magnitude > 1e-90 && magnitude < 1e90; }
+
+/// Squared lengths that are rounded to float: far from where floats lose bits (2^-126 = 1.2e-38) or overflow (3.4e38),
+/// so that they err by 2^-24 of themselves, and so do their multiples by factors up to a million.
+inline constexpr double kSmallestTrustedFloat = 1e-30;
+inline constexpr double kLargestTrustedFloat = 1e30;
+[[nodiscard]] constexpr bool is_trusted_float(double square) {
+  return square > kSmallestTrustedFloat && square < kLargestTrustedFloat;
+}
+
+/// Lengths and sums of lengths: above it, lengths that underflow to multiples of 2^-1074, up to 2^70 of them, are off by
+/// less than 2^-104 of the sum.
+inline constexpr double kSmallestTrustedLength = 0x1p-900;
+
+}  // namespace mwt

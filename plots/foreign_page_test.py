@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""Tests the page of a study of one's own, with an algorithm and a family of one's own: plots/foreign_page_test.py MWT
+
+Runs a small study, puts a copy of an algorithm under a new name, a renamed family and a failed run into its records, makes
+the page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium.
+"""
+import csv
+import pathlib
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+import chromium  # noqa: E402  (beside this file)
+from page_testing import PageTestCase, main, program, run  # noqa: E402
+
+OWN_ALGORITHM, OWN_FAMILY = "my_heuristic", "my_family"
+FAILURE = "a failure made up by the test"
+CHARTS = ("alpha_distribution", "alpha_by_n", "trade_off", "time_by_n")
+
+
+def rewrite(path, change):
+    """Replaces the rows of a CSV file by those that change(rows) returns."""
+    with open(path, newline="", encoding="utf-8") as file:
+        reader = csv.DictReader(file)
+        rows = list(reader)
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, reader.fieldnames, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(change(rows))
+
+
+def with_own_family(rows):
+    return [dict(row, generator=OWN_FAMILY) if row["generator"] == "normal" else row for row in rows]
+
+
+def with_own_algorithm_and_a_failure(rows):
+    rows = with_own_family(rows)
+    own = [
+        dict(row, algorithm=OWN_ALGORITHM, run_id=f"own-{row['run_id']}") for row in rows if row["algorithm"] == "delaunay"
+    ]
+    kept = ("schema_version", "run_id", "study", "env_id", "recorded_at", "git_commit", "binary_sha256", "algorithm",
+            "params", "generator", "generator_params", "n", "seed", "instance_id", "repetition", "threads", "time_limit_s",
+            "memory_limit_bytes")
+    failed = {column: rows[-1][column] if column in kept else "" for column in rows[-1]}
+    return [*rows[:-1], dict(failed, status="crashed", message=FAILURE), *own]
+
+
+class ForeignPageTest(PageTestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="mwt_page_")
+        results = pathlib.Path(cls.folder.name) / "results"
+        run(program(), "run", HERE / "testdata" / "foreign_study.toml", "--out", results, "--no-cache")
+        rewrite(results / "runs.csv", with_own_algorithm_and_a_failure)
+        rewrite(results / "instances.csv", with_own_family)
+        run(program(), "report", results)
+        run(HERE / "make_page.py", results)
+        cls.results = results
+        cls.page = results / "report.html"
+        cls.browser = cls.enterClassContext(chromium.Browser())
+
+    def test_nothing_is_said_about_the_report(self):
+        words = ("1.1–1.5", "report’s band", "report's band", "the report on greedy", "undecided", "Verdict", "hull insertion")
+        found = self.value(f"{list(words)}.filter((words) => document.body.innerText.includes(words))")
+        self.assertEqual(found, [])
+        self.assertEqual(self.value("document.querySelectorAll('.answer, details.claim').length"), 0)
+        self.assertIn("my_study", self.value("document.querySelector('h1').textContent"))
+        self.assertIn("one of them in two variants", self.value("document.querySelector('header').textContent"))
+        self.assertFalse((self.results / "claims.csv").exists())
+
+    def figure_text(self, name, selector=""):
+        text = self.value(f"document.querySelector('#figure-{name} + figure {selector}').textContent")
+        return " ".join(text.split())
+
+    def test_own_algorithm_and_variants_are_in_every_figure(self):
+        for name in CHARTS:
+            for kind in (".wide", ".narrow"):
+                text = self.figure_text(name, kind)
+                missing = [label for label in (OWN_ALGORITHM, "patch k=6", "delaunay", "quadtree") if label not in text]
+                self.assertEqual(missing, [], f"{name}, {kind}")
+
+    def test_an_optimal_variant_is_named_if_not_drawn(self):
+        for name in ("alpha_distribution", "alpha_by_n"):
+            self.assertTrue("patch k=14" in self.figure_text(name), name)
+
+    def test_own_family_has_a_panel(self):
+        for name in ("alpha_by_n", "trade_off"):
+            self.assertTrue(OWN_FAMILY in self.figure_text(name, ".wide"), name)
+
+    def test_algorithms_with_equal_alphas_are_both_named(self):
+        self.assertTrue(f"delaunay = {OWN_ALGORITHM}" in self.figure_text("alpha_by_n", ".wide"))
+
+    def test_no_panel_is_empty(self):
+        self.assert_no_panel_is_empty()
+
+    def test_marks_are_instances_not_repetitions(self):
+        self.assertTrue("n = 20 to 100: 20 instances" in self.figure_text("alpha_distribution"), "3 x 3 + 3 x 3 + 2")
+        marks = self.value(
+            "document.querySelector('#figure-alpha_distribution + figure .wide g[id*=PathCollection_1]')"
+            ".querySelectorAll('use').length"
+        )
+        self.assertEqual(marks, 20)
+
+    def column(self, table, position):
+        return self.texts(f"#{table} tbody tr td:nth-child({position})")
+
+    def test_cells_are_sorted_by_what_matters(self):
+        rows = list(zip(self.column("tables", 1), (int(n) for n in self.column("tables", 3))))
+        self.assertEqual(rows[0], ("uniform", 100))
+        of_first_family = [n for family, n in rows if family == "uniform"]
+        self.assertEqual(of_first_family, sorted(of_first_family, reverse=True))
+        self.assertEqual(
+            list(dict.fromkeys(family for family, _ in rows)),
+            ["uniform", "circle", OWN_FAMILY],
+            "the usual family first, the others by the largest alpha",
+        )
+        alphas = [float(text) for text in self.column("tables", 4)[:6]]
+        self.assertEqual(alphas, sorted(alphas), "the best algorithm of a family and size first")
+
+    def test_cells_have_intervals_and_failures(self):
+        titles = self.texts("#tables th button")
+        self.assertIn("failed", titles)
+        self.assertIn("the mean’s 95% interval", titles)
+        self.assertEqual(sum(int(text) for text in self.column("tables", titles.index("failed") + 1)), 1)
+
+    def test_failures_are_listed(self):
+        self.assertIn("1 run failed", self.value("document.querySelector('header').textContent"))
+        self.assertEqual(len(self.column("failures", 1)), 1)
+        self.assertIn(FAILURE, self.value("document.querySelector('#failures tbody').textContent"))
+        self.assertEqual(self.column("runs", 5)[0], "crashed", "first among all runs too")
+
+    def test_nothing_is_cut_off(self):
+        for width in (360, 390, 768, 1440):
+            self.assert_fits(width)
+
+
+if __name__ == "__main__":
+    main("THE PAGE OF A STUDY OF ONE'S OWN")

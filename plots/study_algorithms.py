@@ -1,0 +1,24 @@
+#!/usr/bin/python3
+"""The algorithms of a study with their variants, for plots/gallery.sh: plots/study_algorithms.py RESULTS_FOLDER N
+
+Prints a line per variant that the study ran on N points or, if it has none so large, on its largest instances: the name that
+figures use, the algorithm, its parameters; separated by tabs.
+"""
+import sys
+
+from library.records import Results
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit(f"usage: {sys.argv[0]} RESULTS_FOLDER N")
+    results = Results(sys.argv[1])
+    runs = results.runs[results.runs["status"] == "ok"]
+    runs = runs[(runs["n"] >= min(int(sys.argv[2]), runs["n"].max())) & ~runs["params"].str.contains(".csv", regex=False)]
+    for label in results.labels:
+        for variant in runs[runs["label"] == label].head(1).itertuples():
+            print(label, variant.algorithm, variant.params, sep="\t")
+
+
+if __name__ == "__main__":
+    main()
