@@ -76,8 +76,6 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
   for (const auto& [phase, seconds] : context.phases) state.counters["phase_" + phase + "_s"] += seconds;
 }
 
-constexpr Index kMostThreads = 1U << 20;
-
 // What mwt_benchmark understands besides Google Benchmark's own flags.
 struct Flags {
   Index largest_n = 1'000'000;
@@ -99,8 +97,8 @@ Flags take_flags(int& argument_count, char** arguments) {
       continue;
     }
     const std::string_view text = argument.substr(argument.find('=') + 1);
-    *number =
-        given_number<Index>(std::string(argument), text, {1, number == &flags.threads ? kMostThreads : kNoIndex - 1});
+    *number = given_number<Index>(std::string(argument), text,
+                                  {1, number == &flags.threads ? Index{kMostWorkers} : kNoIndex - 1});
   }
   argument_count = kept;
   return flags;
