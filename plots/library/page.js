@@ -172,7 +172,7 @@ class DataTable {
     const options = (text) => text.split(" ").filter(Boolean).map((pair) => ` --param ${pair}`).join("");
     const template = this.templates[cells[this.template_column]] || this.templates[""];
     return template.replace(/\{([^{}]+?)( options)?\}/g,
-      (_, name, asOptions) => asOptions ? options(cells[name]) : cells[name]);
+      (_, name, asOptions) => asOptions ? options(cells[name] ?? "") : cells[name]);
   }
 }
 
