@@ -76,7 +76,7 @@ def draw(results, layout):
         draw_row(axes, row, of_label, styles.colour(label), 0.27 if layout.is_narrow else 0.4)
         names.append(described(label, of_label))
     name_rows(axes, names, layout)
-    axes.set_ylim(len(labels) - 0.4, -1.2)
+    axes.set_ylim(len(labels) - 0.4, -1.2 if results.judges_claims or layout.is_narrow else -0.7)
     highest = max(0, math.ceil(math.log10(observations["alpha_upper"].max() - 1)))
     ticks, texts = percent_ticks(LOWEST_DECADE, highest)
     every = 2 if layout.is_narrow else 1

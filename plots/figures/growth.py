@@ -2,7 +2,7 @@
 import numpy as np
 
 from figures.fits import power_law, upper_half
-from figures.panels import SMALLEST_N, grid, side_by_side
+from figures.panels import SMALLEST_N, grid, name_panel, side_by_side
 from library.records import CELL
 from library.style import INK, Styles, report_first
 
@@ -103,7 +103,7 @@ def draw(results, layout):
     figure, panels = grid(len(growing), layout, 2.5)
     for position, (axes, (family, of_family)) in enumerate(zip(panels, growing.items())):
         set_scale(axes, of_family)
-        axes.set_title(family)
+        name_panel(axes, family, layout)
         axes.set_xlabel("points n")
         if position % layout.columns == 0:
             axes.set_ylabel(r"$\alpha$")

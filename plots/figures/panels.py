@@ -44,6 +44,10 @@ def fold(text, inches):
     return "\n".join(textwrap.wrap(text, max(12, int(CHARACTERS_PER_INCH * inches)), break_long_words=False))
 
 
+def name_panel(axes, text, layout):
+    axes.set_title(fold(text, 0.85 * layout.panel_width - 0.5))  # bold, and beside the axis
+
+
 def legend(figure, panels, layout):
     """One legend for what the panels show: each name once."""
     shown = {}
@@ -70,13 +74,13 @@ def always_optimal(observations):
 def equal_labels(observations, labels):
     """{label: labels that have the same alphas on all of their instances, which are instances of `label` too}.
 
-    Labels that stand in no other's list are its keys; of equal ones, that with most instances."""
+    Labels that stand in no other's list are its keys; of equal ones, that with most instances, and no variant if possible."""
     alphas = {
         label: of_label.set_index(["family", "instance_id"])["alpha_upper"]
         for label, of_label in observations.groupby("label")
     }
     groups = {}
-    for label in sorted(labels, key=lambda label: -len(alphas[label])):
+    for label in sorted(labels, key=lambda label: (-len(alphas[label]), " " in label)):
         same = next((first for first in groups if are_equal(alphas[first], alphas[label])), None)
         if same is None:
             groups[label] = []

@@ -13,13 +13,13 @@ SMALLEST_SPAN = 4  # of the sizes; over fewer, a power law and an exponential on
 LEGEND_SIZE = 7.5
 
 def times_of(results):
-    """The family on which most algorithms ran at most sizes, and the times on it: {label: median by n}."""
+    """The first family on which many algorithms ran at many sizes, and the times on it: {label: median by n}."""
     runs = results.finished[results.finished["wall_time_s"].notna()]
     cells = runs.groupby(["family", "label"])["n"].nunique()
     cells = cells[cells > 1].groupby("family").sum()
     if cells.empty:
         return None, {}
-    family = max((family for family in results.families if family in cells), key=lambda family: cells[family])
+    family = next(family for family in results.families if 2 * cells.get(family, 0) >= cells.max())
     of_family = runs[runs["family"] == family]
     by_instance = of_family.groupby(["label", "n", "instance_id"])["wall_time_s"].median()
     medians = by_instance.groupby(["label", "n"]).median()

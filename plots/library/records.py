@@ -21,6 +21,7 @@ TEXT_COLUMNS = (
     "optimum_note",
     "optimal",
 )
+NUMBER_COLUMNS = ("alpha_lower", "alpha_upper", "weight_upper", "wall_time_s", "stopped_early", "alpha_mean", "alpha_max")
 CELL = ["family", "label", "n"]
 USUAL_FAMILIES = ("uniform", "normal", "clustered")  # what readers look for first, where a study has it
 OPTIMAL = 1 + 1e-9  # an alpha up to here is drawn and counted as optimal
@@ -41,6 +42,8 @@ class Results:
             sys.exit(f"{path}: a schema version that this script does not know")
         for column in set(TEXT_COLUMNS) & set(table.columns):
             table[column] = table[column].fillna("")
+        for column in set(NUMBER_COLUMNS) & set(table.columns):
+            table[column] = table[column].astype(float)  # also where every field is empty
         return table
 
     @functools.cached_property
