@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/stop_reason.h"
 #include "geometry/interval.h"
 #include "geometry/point.h"
 #include "harness/csv.h"
@@ -18,7 +19,7 @@
 
 namespace mwt {
 
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
 
 /// One repetition of one algorithm on one instance. Measures are empty unless the run came to have them.
 struct RunRecord {
@@ -63,6 +64,7 @@ struct RunRecord {
   std::string phases;
   std::string counters;
   std::optional<double> yardstick_time_s;
+  std::optional<StopReason> stop_reason;
 };
 
 /// One instance, written when its optimum has been sought.

@@ -46,8 +46,9 @@ void write_exponents(const ReportData& data, std::ostream& out) {
 }
 
 void print_failures(const ReportData& data, std::ostream& out) {
-  const std::string table = failure_table(data.records.runs);
-  if (!table.empty()) out << table << '\n';
+  for (const std::string& table : {failure_table(data.records.runs), stopped_early_table(data.records.runs)}) {
+    if (!table.empty()) out << table << '\n';
+  }
 }
 
 void judge_source_report(const ReportData& data, std::ostream& out) {

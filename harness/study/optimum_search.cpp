@@ -13,6 +13,17 @@ namespace mwt {
 
 namespace {
 
+// What a source's run says about why it did not prove the optimum; empty if it did.
+std::string why_not_proved(const RunRecord& record) {
+  if (record.status != RunStatus::ok) {
+    return std::string(name_of(record.status)) + (record.message.empty() ? "" : ", " + record.message);
+  }
+  const std::optional<Interval> bounds = optimum_of(record);
+  if (optimality_of(bounds) == Optimality::proved) return "";
+  const std::string result = bounds ? "only bounds" : "no bounds";
+  return result + (record.stop_reason ? ", " + std::string(phrase_of(*record.stop_reason)) : "");
+}
+
 // One search, alive as long as a process of it runs.
 struct Search : std::enable_shared_from_this<Search> {
   ProcessPool& pool;
@@ -69,10 +80,8 @@ struct Search : std::enable_shared_from_this<Search> {
     if (const std::optional<Interval> bounds = optimum_of(record)) {
       combine(source.name, *bounds);
       if (cache && !found.contradiction) cache->store(key_of(source), {*bounds, record.wall_time_s.value_or(0)});
-    } else {
-      note(source.name + ": " + std::string(name_of(record.status)) +
-           (record.message.empty() ? "" : ", " + record.message));
     }
+    if (const std::string reason = why_not_proved(record); !reason.empty()) note(source.name + ": " + reason);
     ask_next_source();
   }
 

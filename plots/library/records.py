@@ -5,7 +5,7 @@ import sys
 
 import pandas as pd
 
-KNOWN_SCHEMAS = {1, 2}
+KNOWN_SCHEMAS = {1, 2, 3}
 TEXT_COLUMNS = ("params", "generator_params", "message", "counters", "phases", "triangulation_count", "optimum_note")
 RANDOM_FAMILIES = ("uniform", "normal", "clustered")
 
@@ -40,7 +40,7 @@ class Results:
 
     @functools.cached_property
     def rated(self):
-        """The runs whose alpha is certified against a proved optimum; not those that the deadline cut short."""
+        """The runs whose alpha is certified against a proved optimum; not those that were stopped early."""
         return self.runs[
             (self.runs["status"] == "ok") & (self.runs["optimality"] == "proved") & (self.runs["stopped_early"] == 0)
         ]
