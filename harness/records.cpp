@@ -18,6 +18,7 @@ std::string to_text(int value) { return std::to_string(value); }
 std::string to_text(Index value) { return std::to_string(value); }
 std::string to_text(std::uint64_t value) { return std::to_string(value); }
 std::string to_text(RunStatus value) { return std::string(name_of(value)); }
+std::string to_text(StopReason value) { return std::string(name_of(value)); }
 template <class Value>
 std::string to_text(const std::optional<Value>& value) {
   return value ? to_text(*value) : "";
@@ -37,6 +38,11 @@ void read_text(const std::string& text, RunStatus& value) {
   const std::optional<RunStatus> status = status_of(text);
   if (!status) throw std::invalid_argument(text);
   value = *status;
+}
+void read_text(const std::string& text, StopReason& value) {
+  const std::optional<StopReason> reason = stop_reason_of(text);
+  if (!reason) throw std::invalid_argument(text);
+  value = *reason;
 }
 template <class Value>
 void read_text(const std::string& text, std::optional<Value>& value) {
@@ -97,6 +103,7 @@ const std::vector<Column<RunRecord>>& run_columns() {
       column("phases", &R::phases),
       column("counters", &R::counters),
       column("yardstick_time_s", &R::yardstick_time_s),
+      column("stop_reason", &R::stop_reason),
   };
   return columns;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/stop_reason.h"
 #include "geometry/interval.h"
 #include "geometry/point.h"
 #include "harness/csv.h"
@@ -64,6 +65,7 @@ struct RunRecord {
   std::string phases;
   std::string counters;
   std::optional<double> yardstick_time_s;
+  std::optional<StopReason> stop_reason;
 };
 
 /// The optimum_note of an instance whose optimum came from the optimum cache.

@@ -50,8 +50,9 @@ void write_ratings(const ReportData& data, std::ostream& out) {
 }
 
 void print_failures(const ReportData& data, std::ostream& out) {
-  const std::string table = failure_table(data.records.runs);
-  if (!table.empty()) out << table << '\n';
+  for (const std::string& table : {failure_table(data.records.runs), stopped_early_table(data.records.runs)}) {
+    if (!table.empty()) out << table << '\n';
+  }
 }
 
 // Another study would leave most claims undecided, and judge the others by fewer runs than their rules are made for.

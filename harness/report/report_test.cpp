@@ -322,6 +322,18 @@ TEST(Report, ThousandsOfKindsOfFailureAreCutShort) {
   EXPECT_TRUE(failure_table(runs).ends_with("10 more kinds of failure: see runs.csv\n"));
 }
 
+TEST(Report, SaysHowManyRunsStoppedEarlyAndWhy) {
+  std::vector<RunRecord> runs(4, power_law_runs().front());
+  EXPECT_EQ(stopped_early_table(runs), "");
+  runs[0].n = 30;
+  runs[0].stop_reason = runs[1].stop_reason = StopReason::deadline;
+  runs[2].stop_reason = StopReason::memory;
+  EXPECT_EQ(stopped_early_table(runs),
+            "stopped early  why                runs  first on\n"
+            "sweep          too little memory     1  uniform n=10 seed=1\n"
+            "sweep          at the time limit     2  uniform n=30 seed=1\n");
+}
+
 TEST(Report, WithoutRecordsItIsAMistake) {
   const testing::TestFolder folder;
   EXPECT_THROW(static_cast<void>(read_report_data(folder.path("missing"))), InputError);

@@ -65,7 +65,7 @@ class Results:
 
     @functools.cached_property
     def finished(self):
-        """The runs with a checked triangulation that nothing cut short."""
+        """The runs with a checked triangulation that nothing stopped early."""
         return self.runs[(self.runs["status"] == "ok") & (self.runs["stopped_early"] == 0)]
 
     @functools.cached_property
