@@ -85,6 +85,9 @@ class ForeignPageTest(PageTestCase):
         for name in ("alpha_distribution", "alpha_by_n"):
             self.assertTrue("patch k=14" in self.figure_text(name), name)
 
+    def test_an_algorithm_for_special_points_has_times_too(self):
+        self.assertTrue("polygon_dp on delaunay_arc" in self.figure_text("time_by_n", ".wide"))
+
     def test_own_family_has_a_panel(self):
         for name in ("alpha_by_n", "trade_off"):
             self.assertTrue(OWN_FAMILY in self.figure_text(name, ".wide"), name)

@@ -5,6 +5,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from figures.panels import always_optimal, large_enough, percent_ticks
+from library.html_page import counted
 from library.records import USUAL_FAMILIES
 from library.style import INK, Styles
 
@@ -34,7 +35,7 @@ def described(label, of_label):
     """The name of a row, with the sizes that its marks stand for."""
     low, high = of_label["n"].min(), of_label["n"].max()
     sizes = f"n = {low:,}" if low == high else f"n = {low:,} to {high:,}"
-    return f"{label}\n{sizes}: {len(of_label):,} instance{'' if len(of_label) == 1 else 's'}"
+    return f"{label}\n{sizes}: {counted(len(of_label), 'instance')}"
 
 
 def draw_row(axes, row, of_label, colour, half):
