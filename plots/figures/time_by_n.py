@@ -2,7 +2,7 @@
 import numpy as np
 
 from figures.fits import is_exponential, power_law, upper_half
-from figures.panels import grid, set_time_ticks
+from figures.panels import fold, grid, set_time_ticks
 from library.records import CELL
 from library.style import Styles, legend_columns, name_of
 
@@ -71,15 +71,15 @@ def fitted(times):
     return power_law(upper.index.to_numpy(float), upper.to_numpy()) + (upper.index,) if len(upper) > 2 else None
 
 
-def draw_panel(axes, times, styles):
+def draw_panel(axes, times, styles, inches):
     for label, of_label in times.items():
         fit = fitted(of_label)
-        name = label
+        name = fold(label, inches, LEGEND_SIZE)
         if fit:
             exponent, factor, sizes = fit
             ends = np.array([sizes[0], sizes[-1]], float)
             axes.plot(ends, factor * ends**exponent, color=styles.colour(label), linewidth=1.1)
-            name = f"{label}  $n^{{{exponent:.2f}}}$"
+            name += f"  $n^{{{exponent:.2f}}}$"
         axes.plot(of_label.index, of_label, label=name, **styles.mark(label))
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -87,10 +87,11 @@ def draw_panel(axes, times, styles):
     axes.minorticks_off()
 
 
-def legend_rows(names, inches):
+def legend_rows(labels, inches):
     """(columns, rows) of a legend below a panel."""
+    names = [fold(label, inches - 0.7, LEGEND_SIZE) for label in labels]
     columns = min(4, legend_columns(inches, [f"{name}  n1.23" for name in names], LEGEND_SIZE))
-    return columns, -(-len(names) // columns)
+    return columns, -(-len(names) // columns) + sum(name.count("\n") for name in names)
 
 
 def draw(results, layout):
@@ -103,7 +104,7 @@ def draw(results, layout):
     height = 3.4 + 0.17 * max(rows for _, rows in legends)
     figure, all_axes = grid(len(panels), layout, height, sharey=True)
     for axes, (title, labels), (of_legend, _) in zip(all_axes, panels.items(), legends):
-        draw_panel(axes, {label: times[label] for label in labels}, Styles(labels))
+        draw_panel(axes, {label: times[label] for label in labels}, Styles(labels), layout.panel_width - 1.1)
         axes.set_title(title)
         axes.legend(
             fontsize=LEGEND_SIZE,
