@@ -56,6 +56,7 @@ class ForeignPageTest(PageTestCase):
         rewrite(results / "runs.csv", with_own_algorithm_and_a_failure)
         rewrite(results / "instances.csv", with_own_family)
         run(program(), "report", results)
+        run(HERE / "gallery.sh", program(), results)
         run(HERE / "make_page.py", results)
         cls.results = results
         cls.page = results / "report.html"
@@ -85,9 +86,19 @@ class ForeignPageTest(PageTestCase):
         for name in ("alpha_distribution", "alpha_by_n"):
             self.assertTrue("patch k=14" in self.figure_text(name), name)
 
+    def test_an_algorithm_for_special_points_has_times_too(self):
+        self.assertTrue("polygon_dp on delaunay_arc" in self.figure_text("time_by_n", ".wide"))
+
     def test_own_family_has_a_panel(self):
         for name in ("alpha_by_n", "trade_off"):
             self.assertTrue(OWN_FAMILY in self.figure_text(name, ".wide"), name)
+
+    def test_the_gallery_shows_the_study_s_algorithms(self):
+        text = self.figure_text("same_points", ".wide")
+        for label in ("delaunay", "patch k=14", "flip_report improvement=first start=sweep"):
+            self.assertTrue(f"{label}:" in text, label)
+        self.assertFalse("polygon_dp" in text, "it does not take these points")
+        self.assertEqual(self.value("document.querySelectorAll('#gallery figure').length"), 1, "none of the report's")
 
     def test_algorithms_with_equal_alphas_are_both_named(self):
         self.assertTrue(f"delaunay = {OWN_ALGORITHM}" in self.figure_text("alpha_by_n", ".wide"))

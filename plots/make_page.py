@@ -15,7 +15,7 @@ import figures
 import page_claims
 import page_tables
 from library import html_page, style
-from library.html_page import escape
+from library.html_page import counted, escape
 from library.records import Results
 
 SUMMARY_TEXT = (
@@ -55,10 +55,6 @@ def outcomes(results):
     if stopped:
         sentences.append(f"{stopped:,} stopped early with a valid result, which the figures leave out")
     return "; ".join(sentences) + "."
-
-
-def counted(count, what):
-    return f"{count:,} {what}{'' if count == 1 else 's'}"
 
 
 def footer(results):

@@ -32,7 +32,7 @@ def interval(row, name, scale=1.0, digits=6):
 
 def sorted_cells(results):
     """The cells with runs: usual families, large sizes and small alphas first; last the families and sizes on which every
-    algorithm is optimal, for nothing can be learned there."""
+    algorithm is optimal."""
     cells = results.summary[results.summary["runs"] > 0].copy()
     worst = cells.groupby(["family", "n"])["alpha_max"].transform("max")
     cells["is_trivial"] = worst <= OPTIMAL

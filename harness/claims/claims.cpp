@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 std::string evidence_text(const JudgedClaim& judged) {
   if (judged.finding.rows.empty()) return judged.claim->data;
-  return grouped(judged.finding.rows.size()) + " runs: " + judged.claim->data;
+  const std::size_t runs = judged.finding.rows.size();
+  return grouped(runs) + (runs == 1 ? " run: " : " runs: ") + judged.claim->data;
 }
 
 void write_table(const fs::path& path, const CsvRow& header, const std::vector<CsvRow>& rows) {

@@ -10,7 +10,7 @@ from library.style import legend_below, report_first
 
 SMALLEST_N = 20  # below, nearly every algorithm is optimal
 MARK_WIDTH = 4.5  # points
-CHARACTERS_PER_INCH = 13
+FONT_SIZE = 8.5  # points, unless a text has another
 TIME_TICKS = {
     1e-7: "100 ns",
     1e-6: "1 µs",
@@ -39,9 +39,9 @@ def grid(count, layout, height, **sharing):
     return figure, panels[:count]
 
 
-def fold(text, inches):
+def fold(text, inches, font_size=FONT_SIZE):
     """The text in lines that fit."""
-    return "\n".join(textwrap.wrap(text, max(12, int(CHARACTERS_PER_INCH * inches)), break_long_words=False))
+    return "\n".join(textwrap.wrap(text, max(12, int(110 / font_size * inches)), break_long_words=False))
 
 
 def name_panel(axes, text, layout):

@@ -39,7 +39,7 @@ class Results:
             sys.exit(f"{path}: no such file; make it with: {maker} {self.folder}")
         table = pd.read_csv(path, dtype={column: str for column in TEXT_COLUMNS}, low_memory=False)
         if "schema_version" in table and set(table["schema_version"]) - KNOWN_SCHEMAS:
-            sys.exit(f"{path}: a schema version that this script does not know")
+            sys.exit(f"{path}: a schema version that this script cannot read")
         for column in set(TEXT_COLUMNS) & set(table.columns):
             table[column] = table[column].fillna("")
         for column in set(NUMBER_COLUMNS) & set(table.columns):
