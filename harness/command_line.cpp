@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -109,7 +110,13 @@ void CommandOptions::positive(const std::string& name, int& value, const std::st
 }
 
 void CommandOptions::positive(const std::string& name, std::optional<double>& value, const std::string& help) {
-  app_.add_option(name, value, help)->check(CLI::Range(1e-9, 1e9).description(""));
+  // Not CLI::Range alone, which NaN passes.
+  const auto is_number = [](const std::string& text) {
+    double number = 0;
+    const bool is_one = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
+    return is_one ? std::string() : "'" + text + "' is no number";
+  };
+  app_.add_option(name, value, help)->check(is_number)->check(CLI::Range(1e-9, 1e9).description(""));
 }
 
 void CommandOptions::repeated(const std::string& name, std::vector<std::string>& values, const std::string& help) {

@@ -6,6 +6,7 @@ import sys
 import pandas as pd
 
 KNOWN_SCHEMAS = {1, 2}
+TIME_COLUMNS = ["wall_time_s", "cpu_time_s", "yardstick_time_s"]
 TEXT_COLUMNS = ("params", "generator_params", "message", "counters", "phases", "triangulation_count", "optimum_note")
 RANDOM_FAMILIES = ("uniform", "normal", "clustered")
 
@@ -29,14 +30,36 @@ class Results:
 
     @functools.cached_property
     def runs(self):
-        """All runs, with a `label` per algorithm and a `family` per generator: names alone where the study has one
+        """All runs, those of other machines than `machine` without times, with a `label` per algorithm and a `family` per generator: names alone where the study has one
         configuration of it, with what tells them apart otherwise."""
         runs = self._read("runs.csv")
+        elsewhere = self._machines(runs) != self.machine
+        runs.loc[elsewhere, [column for column in TIME_COLUMNS if column in runs]] = float("nan")
         runs["label"] = labels(runs["algorithm"], runs["params"])
         runs["family"] = labels(runs["generator"], runs["generator_params"])
         is_file = runs["generator"] == "file"
         runs.loc[is_file, "family"] = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
         return runs
+
+    def _machines(self, runs):
+        """What ran each run: processor, CPUs, memory to the gigabyte, runs side by side."""
+        environments = self.environments.drop_duplicates("env_id").set_index("env_id")
+        described = environments[["cpu_model", "logical_cpus", "memory_bytes", "jobs"]].copy()
+        described["memory_bytes"] = (described["memory_bytes"] / 2**30).round()
+        names = described.astype(str).agg(", ".join, axis=1)
+        return runs["env_id"].map(names).fillna("unknown")
+
+    @functools.cached_property
+    def machine(self):
+        """The machine whose times are shown: that of most successful runs, as in `mwt report`."""
+        runs = self._read("runs.csv")
+        counts = self._machines(runs[runs["status"] == "ok"]).value_counts()
+        return min(counts[counts == counts.max()].index) if len(counts) else "unknown"
+
+    @functools.cached_property
+    def machine_count(self):
+        runs = self._read("runs.csv")
+        return self._machines(runs[runs["status"] == "ok"]).nunique()
 
     @functools.cached_property
     def rated(self):
