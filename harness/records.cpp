@@ -1,6 +1,7 @@
 #include "harness/records.h"
 
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <stdexcept>
 
@@ -28,6 +29,11 @@ template <class Number>
 void read_text(const std::string& text, Number& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) throw std::invalid_argument(text);
+}
+// No measure is infinite or not a number: a field that says so is damaged.
+void read_text(const std::string& text, double& value) {
+  read_text<double>(text, value);
+  if (!std::isfinite(value)) throw std::invalid_argument(text);
 }
 void read_text(const std::string& text, std::string& value) { value = text; }
 void read_text(const std::string& text, bool& value) {

@@ -57,12 +57,18 @@ def outcomes(results):
     return "; ".join(sentences) + "."
 
 
+def other_machines(results):
+    if results.machine_count <= 1:
+        return ""
+    return f": the runs are of {results.machine_count} machines, and all times shown are of one ({escape(results.machine)})"
+
+
 def footer(results):
     environment = results.environments.iloc[-1]
     return (
         f'<p>Study “{escape(environment["study"])}”, {escape(environment["recorded_at"])}, commit'
         f' {escape(environment["git_commit"])}, {escape(environment["cpu_model"])}, {escape(environment["compiler"])}.'
-        " α does not depend on the machine, times do.</p>"
+        f" α does not depend on the machine, times do{other_machines(results)}.</p>"
     )
 
 

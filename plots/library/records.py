@@ -22,6 +22,7 @@ TEXT_COLUMNS = (
     "optimal",
 )
 NUMBER_COLUMNS = ("alpha_lower", "alpha_upper", "weight_upper", "wall_time_s", "stopped_early", "alpha_mean", "alpha_max")
+TIME_COLUMNS = ("wall_time_s", "cpu_time_s", "yardstick_time_s")
 CELL = ["family", "label", "n"]
 USUAL_FAMILIES = ("uniform", "normal", "clustered")  # what readers look for first, where a study has it
 OPTIMAL = 1 + 1e-9  # an alpha up to here is drawn and counted as optimal
@@ -48,9 +49,12 @@ class Results:
 
     @functools.cached_property
     def runs(self):
-        """All runs, rated by the tightest bounds in the records, with a `label` per algorithm and a `family` per generator:
-        names alone where the study has one configuration of it, with the parameters that differ otherwise."""
+        """All runs, rated by the tightest bounds in the records, those of other machines than `machine` without times, with a
+        `label` per algorithm and a `family` per generator: names alone where the study has one configuration of it, with the
+        parameters that differ otherwise."""
         runs = self._read("runs.csv")
+        elsewhere = self._machines(runs) != self.machine
+        runs.loc[elsewhere, [column for column in TIME_COLUMNS if column in runs]] = float("nan")
         runs["label"] = labels(runs["algorithm"], runs["params"])
         runs["family"] = labels(runs["generator"], runs["generator_params"])
         is_file = runs["generator"] == "file"
@@ -62,6 +66,26 @@ class Results:
             runs[column] = of_runs[column].to_numpy()
         runs["optimal"] = runs["optimal"].fillna("")
         return runs
+
+    def _machines(self, runs):
+        """What ran each run: processor, CPUs, memory to the gigabyte, runs side by side."""
+        environments = self.environments.drop_duplicates("env_id").set_index("env_id")
+        described = environments[["cpu_model", "logical_cpus", "memory_bytes", "jobs"]].copy()
+        described["memory_bytes"] = (described["memory_bytes"] / 2**30).round()
+        names = described.astype(str).agg(", ".join, axis=1)
+        return runs["env_id"].map(names).fillna("unknown")
+
+    @functools.cached_property
+    def machine(self):
+        """The machine whose times are shown: that of most successful runs, as in `mwt report`."""
+        runs = self._read("runs.csv")
+        counts = self._machines(runs[runs["status"] == "ok"]).value_counts()
+        return min(counts[counts == counts.max()].index) if len(counts) else "unknown"
+
+    @functools.cached_property
+    def machine_count(self):
+        runs = self._read("runs.csv")
+        return self._machines(runs[runs["status"] == "ok"]).nunique()
 
     @functools.cached_property
     def finished(self):
