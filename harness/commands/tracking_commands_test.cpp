@@ -46,7 +46,7 @@ TEST_F(TrackingCommands, MistakesOfCompare) {
   expect_mistake("compare n0 missing", "missing/runs.csv");
   expect_mistake("compare n0 n0 --json --markdown", "not both");
   expect_mistake("compare n0 n0 --measure weight", "not a time");
-  expect_mistake("compare n0 n0 --threshold nan", "'nan' is no number");
+  expect_mistake("compare n0 n0 --threshold nan", "'nan' is not a number");
   expect_mistake("compare --build-a .", "belong together");
   expect_mistake("compare --build-a . --build-b .", "--study");
   expect_mistake("compare --build-a . --build-b . --study report", "mwt: no program is there");

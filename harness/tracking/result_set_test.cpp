@@ -67,6 +67,8 @@ TEST(ResultSet, ComplaintsNameTheLine) {
   EXPECT_NE(complaint(folder.path("")).find("runs.csv:2: malformed row"), std::string::npos);
 }
 
+const std::string kVersion = std::to_string(kSchemaVersion);
+
 class DamagedResults : public ::testing::Test {
  protected:
   DamagedResults() { testing::write_synthetic_night(folder_.path("r"), testing::synthetic_runs({}, 3, 1)); }
@@ -85,7 +87,8 @@ class DamagedResults : public ::testing::Test {
 
 // With its times renamed a folder had no times, and so no regressions.
 TEST_F(DamagedResults, RenamedColumnsAreRefused) {
-  EXPECT_NE(complaint_after("wall_time_s", "wall").find("column 22 is 'wall' where schema version 2 has 'wall_time_s'"),
+  EXPECT_NE(complaint_after("wall_time_s", "wall")
+                .find("column 22 is 'wall' where schema version " + kVersion + " has 'wall_time_s'"),
             std::string::npos);
 }
 
@@ -96,12 +99,16 @@ TEST_F(DamagedResults, MissingColumnsAreRefused) {
     content += csv_line(row);
   }
   write_text(folder_.path("r/runs.csv"), content);
-  EXPECT_NE(complaint(folder_.path("r")).find("column 41 is nothing where schema version 2 has 'yardstick_time_s'"),
-            std::string::npos);
+  const std::string expected = "column " + std::to_string(run_columns().size()) + " is nothing where schema version " +
+                               kVersion + " has '" + run_columns().back().name + "'";
+  EXPECT_NE(complaint(folder_.path("r")).find(expected), std::string::npos);
 }
 
 TEST_F(DamagedResults, NewerSchemaVersionsAreRefused) {
-  EXPECT_NE(complaint_after("\n2,", "\n3,").find("runs.csv:2: schema version 3 is unknown here"), std::string::npos);
+  const std::string newer = std::to_string(kSchemaVersion + 1);
+  EXPECT_NE(complaint_after("\n" + kVersion + ",", "\n" + newer + ",")
+                .find("runs.csv:2: schema version " + newer + " is unknown here"),
+            std::string::npos);
 }
 
 TEST(ResultSet, SeveralSchemaVersionsAreRefused) {
