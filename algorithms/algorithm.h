@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "algorithms/deadline.h"
+#include "algorithms/stop_reason.h"
 #include "geometry/interval.h"
 #include "geometry/parameters.h"
 #include "geometry/point.h"
@@ -74,7 +75,9 @@ struct Solution {
   std::optional<std::string> count;          ///< exact number of triangulations, decimal
   std::vector<Flip> flips;                   ///< trace, for algorithms that flip
   std::map<std::string, double> counters{};  ///< what was done, by snake_case name
-  bool stopped_early = false;                ///< the deadline cut the work short
+  std::optional<StopReason> stop_reason;     ///< why less was done than the entry promises; none: nothing stopped it
+
+  [[nodiscard]] bool stopped_early() const { return stop_reason.has_value(); }
 };
 
 using AlgorithmFunction = Solution (*)(Points points, Context& context);

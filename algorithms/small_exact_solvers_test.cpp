@@ -163,7 +163,7 @@ TEST(SmallExactSolvers, ReturnATriangulationWhenTheDeadlineHasPassed) {
   const Interval optimum = *solve_to_optimality("brute_force", points).optimum;
   for (const std::string& solver : kSolvers) {
     const Solution solution = solve_and_check(solver, points, {}, Context::Clock::now());
-    EXPECT_TRUE(solution.stopped_early) << solver;
+    EXPECT_EQ(solution.stop_reason, StopReason::deadline) << solver;
     EXPECT_FALSE(solution.count) << solver;
     EXPECT_TRUE(overlap(solution.optimum.value_or(optimum), optimum)) << solver;
   }

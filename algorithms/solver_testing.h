@@ -35,7 +35,7 @@ inline Solution solve_and_check(const std::string& algorithm, Points points,
 /// The same for an algorithm that must prove its result optimal.
 inline Solution solve_to_optimality(const std::string& algorithm, Points points) {
   Solution solution = solve_and_check(algorithm, points);
-  EXPECT_FALSE(solution.stopped_early) << algorithm;
+  EXPECT_FALSE(solution.stop_reason) << algorithm << ": " << phrase_of(*solution.stop_reason);
   if (solution.optimum) {
     EXPECT_LE(solution.optimum->relative_width(), 1e-12) << algorithm;
   } else {

@@ -36,11 +36,12 @@ if(TARGET harness_test)
                              MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
   add_dependencies(harness_test mwt mwt_benchmark)
 endif()
-# The report's page, that of another study and the nights' dashboard, looked at in a headless Chromium; optimised builds only, for sanitizers have
-# nothing to find in them.
+# What figures compute; the report's page, that of another study and the nights' dashboard, looked at in a headless Chromium.
+# Optimised builds only, for sanitizers have nothing to find in them.
 if(NOT MWT_SANITIZE)
+  add_test(NAME plots.figures COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/figures_test.py)
   add_test(NAME plots.page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/page_test.py $<TARGET_FILE:mwt>)
   add_test(NAME plots.foreign_page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/foreign_page_test.py $<TARGET_FILE:mwt>)
   add_test(NAME plots.dashboard COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/dashboard_test.py $<TARGET_FILE:mwt>)
-  set_tests_properties(plots.page plots.foreign_page plots.dashboard PROPERTIES LABELS plots TIMEOUT 600 SKIP_RETURN_CODE 77)
+  set_tests_properties(plots.figures plots.page plots.foreign_page plots.dashboard PROPERTIES LABELS plots TIMEOUT 600 SKIP_RETURN_CODE 77)
 endif()

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <cmath>
 
 #include "harness/build_info.h"
 #include "harness/machine_watch.h"
@@ -75,6 +76,18 @@ EnvironmentRecord describe_environment(const std::string& study, int jobs, const
   record.throttle_events = throttle_events();
   record.env_id = short_hash(csv_line(to_row(environment_columns(), record)) + std::to_string(getpid()));
   return record;
+}
+
+std::string machine_of(const EnvironmentRecord& environment) {
+  std::vector<std::string> parts;
+  if (!environment.cpu_model.empty()) parts.push_back(environment.cpu_model);
+  if (environment.logical_cpus) parts.push_back(std::to_string(*environment.logical_cpus) + " CPUs");
+  if (environment.memory_bytes) {
+    parts.push_back(std::to_string(std::lround(static_cast<double>(*environment.memory_bytes) / (1U << 30))) + " GiB");
+  }
+  std::string machine;
+  for (const std::string& part : parts) machine += (machine.empty() ? "" : ", ") + part;
+  return machine;
 }
 
 std::vector<std::string> timing_warnings(const EnvironmentRecord& environment) {

@@ -69,13 +69,13 @@ TEST(Execution, TheDeadlineBeginsWithTheExecution) {
   const AlgorithmInfo patient = testing::entry("patient", [](Points points, Context& context) {
     while (!context.deadline_passed()) usleep(1000);
     Solution solution = testing::solve_well(points, context);
-    solution.stopped_early = true;
+    solution.stop_reason = StopReason::deadline;
     return solution;
   });
   Request request = request_for(patient);
   request.time_limit_s = 0.05;
   const Execution execution = execute_repeatedly(request, instance.set.points, 0.001);
-  EXPECT_TRUE(execution.solution.stopped_early);
+  EXPECT_EQ(execution.solution.stop_reason, StopReason::deadline);
   EXPECT_GE(execution.wall_time_s, 0.05);
 }
 

@@ -75,7 +75,8 @@ std::string to_json(const SolveReport& report) {
   json["weight_upper"] = upper_or_null(report.weight);
   json["perimeter_sum"] = or_null(report.perimeter_sum);
   json["count"] = or_null(report.count);
-  json["stopped_early"] = report.stopped_early;
+  json["stopped_early"] = report.stop_reason.has_value();
+  json["stop_reason"] = report.stop_reason ? Json(name_of(*report.stop_reason)) : Json();
   json["optimum_lower"] = lower_or_null(report.optimum);
   json["optimum_upper"] = upper_or_null(report.optimum);
   json["optimality"] = report.optimality;

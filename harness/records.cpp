@@ -19,6 +19,7 @@ std::string to_text(int value) { return std::to_string(value); }
 std::string to_text(Index value) { return std::to_string(value); }
 std::string to_text(std::uint64_t value) { return std::to_string(value); }
 std::string to_text(RunStatus value) { return std::string(name_of(value)); }
+std::string to_text(StopReason value) { return std::string(name_of(value)); }
 template <class Value>
 std::string to_text(const std::optional<Value>& value) {
   return value ? to_text(*value) : "";
@@ -30,10 +31,10 @@ void read_text(const std::string& text, Whole& value) {
   if (!number) throw std::invalid_argument(text);
   value = *number;
 }
-// No measure is NaN; a bound may be infinite.
+// No measure is infinite or not a number: a field that says so is damaged.
 void read_text(const std::string& text, double& value) {
   const std::optional<double> number = parse_number(text);
-  if (!number || std::isnan(*number)) throw std::invalid_argument(text);
+  if (!number || !std::isfinite(*number)) throw std::invalid_argument(text);
   value = *number;
 }
 void read_text(const std::string& text, std::string& value) { value = text; }
@@ -45,6 +46,11 @@ void read_text(const std::string& text, RunStatus& value) {
   const std::optional<RunStatus> status = status_of(text);
   if (!status) throw std::invalid_argument(text);
   value = *status;
+}
+void read_text(const std::string& text, StopReason& value) {
+  const std::optional<StopReason> reason = stop_reason_of(text);
+  if (!reason) throw std::invalid_argument(text);
+  value = *reason;
 }
 template <class Value>
 void read_text(const std::string& text, std::optional<Value>& value) {
@@ -58,7 +64,7 @@ Column<Record> column(std::string name, Value Record::*member) {
           [member](Record& record, const std::string& text) { read_text(text, record.*member); }};
 }
 
-bool is_time(double seconds) { return seconds >= 0 && std::isfinite(seconds); }
+bool is_time(double seconds) { return seconds >= 0; }
 bool is_time(const std::optional<double>& seconds) { return !seconds || is_time(*seconds); }
 
 template <class Record, class Seconds>
@@ -118,6 +124,7 @@ const std::vector<Column<RunRecord>>& run_columns() {
       column("phases", &R::phases),
       column("counters", &R::counters),
       time_column("yardstick_time_s", &R::yardstick_time_s),
+      column("stop_reason", &R::stop_reason),
   };
   return columns;
 }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/stop_reason.h"
 #include "geometry/interval.h"
 #include "geometry/point.h"
 #include "harness/csv.h"
@@ -19,6 +20,10 @@
 namespace mwt {
 
 inline constexpr int kSchemaVersion = 3;
+
+/// The columns that every runs.csv and environments.csv of this version begins with; those after them were added later.
+inline constexpr std::size_t kFirstRunColumns = 41;
+inline constexpr std::size_t kFirstEnvironmentColumns = 20;
 
 /// One repetition of one algorithm on one instance. Measures are empty unless the run came to have them.
 struct RunRecord {
@@ -64,6 +69,7 @@ struct RunRecord {
   std::string phases;
   std::string counters;
   std::optional<double> yardstick_time_s;
+  std::optional<StopReason> stop_reason;
 };
 
 /// The optimum_note of an instance whose optimum came from the optimum cache.

@@ -38,6 +38,7 @@ TEST(Records, ARunSurvivesTheRoundTrip) {
   record.wall_time_s = 0.1;
   record.weight_lower = 5e-324;
   record.stopped_early = true;
+  record.stop_reason = StopReason::size;
   record.message = "two\nlines";
   const std::optional<RunRecord> back = from_row(run_columns(), to_row(run_columns(), record));
   ASSERT_TRUE(back);
@@ -48,6 +49,7 @@ TEST(Records, ARunSurvivesTheRoundTrip) {
   EXPECT_EQ(back->weight_lower, record.weight_lower);
   EXPECT_EQ(back->weight_upper, std::nullopt);
   EXPECT_EQ(back->stopped_early, true);
+  EXPECT_EQ(back->stop_reason, StopReason::size);
   EXPECT_EQ(back->message, "two lines");
 }
 
@@ -69,6 +71,14 @@ TEST(Records, MalformedRowsAreNone) {
   row.pop_back();
   row[11] = "ten";  // n
   EXPECT_FALSE(from_row(run_columns(), row));
+}
+
+TEST(Records, AReasonThatIsNoneIsMalformed) {
+  CsvRow row = to_row(run_columns(), RunRecord{});
+  row.back() = "boredom";
+  EXPECT_FALSE(from_row(run_columns(), row));
+  row.back() = "deadline";
+  EXPECT_TRUE(from_row(run_columns(), row));
 }
 
 TEST(Records, NamedNumbersAreShortest) {

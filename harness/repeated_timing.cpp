@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t kBatches = 5;
-constexpr double kMostWallTime = 10;     // in units of the time to be filled
+constexpr double kMostWallTime = 10;    // in units of the time to be filled
 constexpr double kShortestTime = 1e-9;  // s, for work that seems to take none
 
 /// Consecutive executions and what they took together.
@@ -58,12 +58,15 @@ RepeatedTiming time_repeatedly(const std::function<void()>& work, double min_tim
   RepeatedTiming timing{0, 0, 0};
   std::vector<Batch> batches;
   double wall_s = 0;
+  bool is_warm = false;
   Batch last = first;
   while (batches.size() < kBatches) {
     last = run_batch(work, executions_to_fill(batch_cpu_s, batch_wall_s, last));
     wall_s += last.wall_s;
-    // The first execution, cold or interrupted, may have told too little: a batch that is far too short tells more.
-    if (last.cpu_s < batch_cpu_s / 2 && wall_s < most_wall_s) continue;
+    // While caches and the allocator warm up, executions take longer, and tell too little of how many fill a batch.
+    const bool counts = is_warm && last.cpu_s >= batch_cpu_s / 2;
+    is_warm = true;
+    if (!counts && wall_s < most_wall_s) continue;
     batches.push_back(last);
     timing.executions += last.executions;
   }

@@ -51,7 +51,7 @@ std::string readable_text(const SolveReport& report) {
       {"triangles", std::to_string(report.triangles) + (report.valid ? ", checked" : ", NOT a triangulation")});
   if (report.edges) table.add_row({"edges", std::to_string(*report.edges)});
   add_quality(table, report);
-  if (report.stopped_early) table.add_row({"stopped early", "yes, at the time limit"});
+  if (report.stop_reason) table.add_row({"stopped early", std::string(phrase_of(*report.stop_reason))});
   add_costs(table, report);
   return table.text();
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/stop_reason.h"
 #include "geometry/interval.h"
 #include "geometry/point.h"
 
@@ -27,8 +28,8 @@ struct SolveReport {
   std::optional<std::uint64_t> edges;  ///< this and the next two: only of a valid triangulation
   std::optional<Interval> weight;
   std::optional<double> perimeter_sum;
-  std::optional<std::string> count;  ///< exact number of triangulations, decimal
-  bool stopped_early = false;
+  std::optional<std::string> count;       ///< exact number of triangulations, decimal
+  std::optional<StopReason> stop_reason;  ///< of what stopped early
   std::optional<Interval> optimum;
   std::string optimality = "none";
   bool optimum_cached = false;  ///< it was proved earlier and comes from the optimum cache

@@ -4,9 +4,11 @@
 Tracks 40 synthetic nights, makes their dashboard and looks at it in a headless Chromium. Exit code 77 (skipped) without
 Chromium.
 """
+import json
 import math
 import pathlib
 import random
+import re
 import sys
 import tempfile
 
@@ -16,8 +18,9 @@ import chromium  # noqa: E402  (beside this file)
 from page_testing import PageTestCase, main, program, run  # noqa: E402
 
 NIGHTS, CHANGED = 40, 25
-COLUMNS = ("study,env_id,recorded_at,git_commit,algorithm,params,generator,n,seed,repetition,threads,status,wall_time_s,"
-           "yardstick_time_s,peak_rss_bytes,weight_lower,weight_upper,optimality,alpha_lower,alpha_upper")
+COLUMNS = ("schema_version,study,env_id,recorded_at,git_commit,algorithm,params,generator,n,seed,repetition,threads,status,"
+           "wall_time_s,yardstick_time_s,peak_rss_bytes,weight_lower,weight_upper,optimality,alpha_lower,alpha_upper")
+OLD_SCHEMA = 1  # whose files are read by the names of their columns
 ALGORITHMS = ("delaunay", "flip", "greedy", "patch")
 
 
@@ -30,7 +33,7 @@ def rows_of(night, noise):
                 time = 1e-5 * n * math.exp(noise.gauss(0, 0.03)) * (1.1 if late and algorithm == "greedy" else 1) * (1.6 if night == 13 else 1)
                 memory = 10_000_000 + 4096 * noise.randrange(20) + (2_000_000 if late and algorithm == "patch" else 0)
                 alpha = 1.05 * (1.001 if late and algorithm == "flip" else 1)
-                yield (f"synthetic,e,2026-{1 + night // 28:02}-{1 + night % 28:02}T03:00:00Z,{night:02x}{'0' * 38},{algorithm},,{family},{n},1,0,1,ok,"
+                yield (f"{OLD_SCHEMA},synthetic,e,2026-{1 + night // 28:02}-{1 + night % 28:02}T03:00:00Z,{night:02x}{'0' * 38},{algorithm},,{family},{n},1,0,1,ok,"
                        f"{time},2e-6,{memory},{100 * alpha},{100 * alpha},proved,{alpha},{alpha}")
 
 
@@ -47,6 +50,7 @@ class DashboardTest(PageTestCase):
             (nights[-1] / "runs.csv").write_text("\n".join([COLUMNS, *rows_of(night, noise)]) + "\n")
         run(program(), "track", *nights, "--history", home / "history.sqlite")
         run(program(), "history", "series", "--json", "--history", home / "history.sqlite", "-o", home / "series.json")
+        cls.home = home
         cls.page = home / "dashboard.html"
         run(HERE / "make_dashboard.py", home / "series.json", "-o", cls.page)
         cls.browser = cls.enterClassContext(chromium.Browser())
@@ -61,6 +65,36 @@ class DashboardTest(PageTestCase):
         self.assertEqual([text.split(":")[0] for text in told], ["2026-01-26 flip", "2026-01-26 greedy", "2026-01-26 patch"])
         self.assertRegex(told[1], r"time x1\.(0[89]|1[01])")
         self.assertEqual(self.texts(".changes .badge"), ["regression"] * 3)
+
+    def banner(self, series, outcome, *options):
+        """The text and the colour of the banner of a night with this outcome."""
+        comparison = self.home / "verdict.json"
+        comparison.write_text(json.dumps({"outcome": outcome, "verdict": "1 regression (time of flip x3.000) in 24 cells",
+                                          "suspected": {"notes": ["load: base 0.10; new results 3.99"]}, "confirmed": None}))
+        page = self.home / "of_a_night.html"
+        run(HERE / "make_dashboard.py", series, "-o", page, "--comparison", comparison, *options)
+        answer = page.read_text(encoding="utf-8").split('<div class="answer"')[1].split("</div>")[0]
+        return answer, re.search(r"var\(--(\w+)\)", answer)[1]
+
+    def stable_series(self):
+        """The history without any step."""
+        content = json.loads((self.home / "series.json").read_text(encoding="utf-8"))
+        content["changes"] = []
+        series = self.home / "stable.json"
+        series.write_text(json.dumps(content))
+        return series
+
+    def test_a_failing_night_is_not_green_though_nothing_stepped(self):
+        text, colour = self.banner(self.stable_series(), "regression", "--state", "Not accepted.")
+        self.assertEqual(colour, "bad")
+        for part in ("The last night: regression", "time of flip x3.000", "Not accepted.", "0 regressions", "Load: base 0.10; new results 3.99"):
+            self.assertIn(part, text)
+
+    def test_only_a_night_without_anything_open_is_green(self):
+        self.assertEqual(self.banner(self.stable_series(), "not slower")[1], "good")
+        self.assertEqual(self.banner(self.stable_series(), "unclear")[1], "open")
+        self.assertEqual(self.banner(self.stable_series(), "not compared")[1], "open")
+        self.assertEqual(self.banner(self.home / "series.json", "not slower")[1], "bad", "steps count, too")
 
     def test_series_with_steps_come_first_and_are_marked(self):
         steps = self.value("[...document.querySelectorAll('.sparkline')].map((figure) => figure.querySelectorAll('.step').length)")

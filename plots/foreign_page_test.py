@@ -16,6 +16,7 @@ from page_testing import PageTestCase, main, program, run  # noqa: E402
 
 OWN_ALGORITHM, OWN_FAMILY = "my_heuristic", "my_family"
 FAILURE = "a failure made up by the test"
+ARCS = ("delaunay_arc coordinates=integer", "delaunay_arc coordinates=circle")
 CHARTS = ("alpha_distribution", "alpha_by_n", "trade_off", "time_by_n")
 
 
@@ -55,6 +56,7 @@ class ForeignPageTest(PageTestCase):
         rewrite(results / "runs.csv", with_own_algorithm_and_a_failure)
         rewrite(results / "instances.csv", with_own_family)
         run(program(), "report", results)
+        run(HERE / "gallery.sh", program(), results)
         run(HERE / "make_page.py", results)
         cls.results = results
         cls.page = results / "report.html"
@@ -84,9 +86,19 @@ class ForeignPageTest(PageTestCase):
         for name in ("alpha_distribution", "alpha_by_n"):
             self.assertTrue("patch k=14" in self.figure_text(name), name)
 
+    def test_an_algorithm_for_special_points_has_times_too(self):
+        self.assertTrue("polygon_dp on delaunay_arc" in self.figure_text("time_by_n", ".wide"))
+
     def test_own_family_has_a_panel(self):
         for name in ("alpha_by_n", "trade_off"):
             self.assertTrue(OWN_FAMILY in self.figure_text(name, ".wide"), name)
+
+    def test_the_gallery_shows_the_study_s_algorithms(self):
+        text = self.figure_text("same_points", ".wide")
+        for label in ("delaunay", "patch k=14", "flip_report improvement=first start=sweep"):
+            self.assertTrue(f"{label}:" in text, label)
+        self.assertFalse("polygon_dp" in text, "it does not take these points")
+        self.assertEqual(self.value("document.querySelectorAll('#gallery figure').length"), 1, "none of the report's")
 
     def test_algorithms_with_equal_alphas_are_both_named(self):
         self.assertTrue(f"delaunay = {OWN_ALGORITHM}" in self.figure_text("alpha_by_n", ".wide"))
@@ -95,24 +107,31 @@ class ForeignPageTest(PageTestCase):
         self.assert_no_panel_is_empty()
 
     def test_marks_are_instances_not_repetitions(self):
-        self.assertTrue("n = 20 to 100: 20 instances" in self.figure_text("alpha_distribution"), "3 x 3 + 3 x 3 + 2")
+        self.assertTrue("n = 20 to 100: 38 instances" in self.figure_text("alpha_distribution"), "3 x 5 + 3 x 5 + 2 + 3 + 3")
         marks = self.value(
             "document.querySelector('#figure-alpha_distribution + figure .wide g[id*=PathCollection_1]')"
             ".querySelectorAll('use').length"
         )
-        self.assertEqual(marks, 20)
+        self.assertEqual(marks, 38)
 
     def column(self, table, position):
         return self.texts(f"#{table} tbody tr td:nth-child({position})")
 
+    def show_all_cells(self):
+        self.value(
+            "(() => { const more = [...document.querySelectorAll('#tables button')].find((one) => one.textContent ==="
+            " 'show more rows'); while (!more.hidden) more.click(); })()"
+        )
+
     def test_cells_are_sorted_by_what_matters(self):
+        self.show_all_cells()
         rows = list(zip(self.column("tables", 1), (int(n) for n in self.column("tables", 3))))
         self.assertEqual(rows[0], ("uniform", 100))
         of_first_family = [n for family, n in rows if family == "uniform"]
         self.assertEqual(of_first_family, sorted(of_first_family, reverse=True))
         self.assertEqual(
             list(dict.fromkeys(family for family, _ in rows)),
-            ["uniform", "circle", OWN_FAMILY],
+            ["uniform", *ARCS, "circle", OWN_FAMILY],
             "the usual family first, the others by the largest alpha",
         )
         alphas = [float(text) for text in self.column("tables", 4)[:6]]
@@ -122,6 +141,8 @@ class ForeignPageTest(PageTestCase):
         titles = self.texts("#tables th button")
         self.assertIn("failed", titles)
         self.assertIn("the mean’s 95% interval", titles)
+        self.assertRegex(self.column("tables", titles.index("the mean’s 95% interval") + 1)[0], r"^1\S* – 1\S*$")
+        self.show_all_cells()
         self.assertEqual(sum(int(text) for text in self.column("tables", titles.index("failed") + 1)), 1)
 
     def test_failures_are_listed(self):

@@ -2,7 +2,8 @@
 """Makes the dashboard of the nights: plots/make_dashboard.py SERIES.json -o PAGE.html
 
 Reads what `mwt history series --json` wrote: regressions and improvements in words, then a sparkline of every series with its
-steps marked. Writes one self-contained HTML file. Only the last night's environment and study are shown, or those given
+steps marked. With --comparison, what `mwt compare --verdict` wrote of the last night stands above them, and with --state what
+followed from it. Writes one self-contained HTML file. Only the last night's environment and study are shown, or those given
 with --environment and --study.
 """
 import argparse
@@ -103,14 +104,43 @@ def counted(count, what):
     return f"{count} {what}{'' if count == 1 else 's'}"
 
 
-def lead(history):
+class LastNight:
+    """How the last night compares with the accepted one: the outcome of `mwt compare`, and what followed in words."""
+
+    def __init__(self, comparison, state):
+        self.comparison = comparison
+        self.state = state or ""
+        self.outcome = comparison["outcome"] if comparison else None
+
+    def colour(self):
+        """Good only where nothing is open: `None` stands for a comparison that was not made, or failed."""
+        if self.outcome == "not slower":
+            return "good"
+        return "bad" if self.outcome == "regression" or "failed" in self.state else "open"
+
+    def loads(self):
+        """The notes about the machine's load, which belong to a verdict."""
+        parts = [self.comparison] + [self.comparison.get(part) or {} for part in ("suspected", "confirmed")]
+        notes = [note for part in parts for note in part.get("notes", []) if note.startswith("load: ")]
+        return list(dict.fromkeys(notes))
+
+    def text(self):
+        if not self.comparison:
+            return f"<p><strong>The last night was not compared with another.</strong> {escape(self.state)}</p>"
+        loads = "".join(f'<p class="soft">{escape(note[0].upper() + note[1:])}.</p>' for note in self.loads())
+        return (f'<p><strong>The last night: {escape(self.outcome)}.</strong> {escape(self.comparison["verdict"])}. '
+                f"{escape(self.state)}</p>{loads}")
+
+
+def lead(history, last_night):
     if not history.own_nights:
-        return "<p>There is no night yet.</p>"
+        return f"<p>There is no night yet. {escape(last_night.state)}</p>"
     last = history.own_nights[-1]
     worse = sum(change["regression"] for change in history.changes)
     better = len(history.changes) - worse
-    colour = ' style="border-color: var(--bad)"' if worse else ""
-    return (f'<div class="answer"{colour}><p><strong>{counted(worse, "regression")}, {counted(better, "improvement")}</strong> '
+    colour = "bad" if worse else last_night.colour()
+    return (f'<div class="answer" style="border-color: var(--{colour})">{last_night.text()}'
+            f'<p><strong>Steps that stayed: {counted(worse, "regression")}, {counted(better, "improvement")}</strong> '
             f'in {counted(len(history.own_nights), "night")}. The last one: {escape(last["recorded_at"])}, '
             f'commit {escape(last["commit"][:10])}.</p></div>')
 
@@ -120,8 +150,8 @@ def footer(history):
     return f"<p>Study “{escape(history.study)}” on {escape(machine)}. A spike of a night or two is no change; see harness/tracking/README.md.</p>"
 
 
-def make(history):
-    page = html_page.Page(TITLE, lead(history), footer(history))
+def make(history, last_night):
+    page = html_page.Page(TITLE, lead(history, last_night), footer(history))
     page.add_section("changes", "What changed", changes_section(history))
     page.add_section("series", "Every series", series_section(history))
     return page.text()
@@ -133,10 +163,14 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
     parser.add_argument("--study")
     parser.add_argument("--environment")
+    parser.add_argument("--comparison", type=pathlib.Path, help="of the last night, by mwt compare --verdict; it may be missing")
+    parser.add_argument("--state", help="what followed from the comparison, a sentence")
     arguments = parser.parse_args()
     history = History(json.loads(arguments.series.read_text(encoding="utf-8")), arguments.study, arguments.environment)
+    has_comparison = arguments.comparison and arguments.comparison.is_file()
+    comparison = json.loads(arguments.comparison.read_text(encoding="utf-8")) if has_comparison else None
     written = arguments.output.with_name(arguments.output.name + ".new")
-    written.write_text(make(history), encoding="utf-8")
+    written.write_text(make(history, LastNight(comparison, arguments.state)), encoding="utf-8")
     os.replace(written, arguments.output)
 
 

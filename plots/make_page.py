@@ -15,9 +15,14 @@ import figures
 import page_claims
 import page_tables
 from library import html_page, style
-from library.html_page import escape
+from library.html_page import counted, escape
 from library.records import Results
 
+SUMMARY_TEXT = (
+    "Cells by family, algorithm and n. α is against proved optima: the upper ends of certified intervals. Means and medians"
+    " have 95% bootstrap intervals where there are at least five instances. First the usual families and the largest sizes;"
+    " last what every algorithm solves optimally."
+)
 REPRODUCED = {"report": "./reproduce", "report_full": "./reproduce --full"}  # studies with a command of their own
 
 
@@ -33,8 +38,8 @@ def lead(results):
     verdicts = ", every verdict is computed from the records by a rule fixed beforehand" if results.judges_claims else ""
     return (
         f'{first}<p class="soft">α is the weight of a triangulation divided by the weight of a lightest one. Measured in'
-        f" {len(results.runs):,} isolated runs on {len(instances):,} instances, {proved:,} of them with a proved"
-        f" optimum; every triangulation was checked{verdicts}. {outcomes(results)}</p>"
+        f" {counted(len(results.runs), 'isolated run')} on {counted(len(instances), 'instance')}, {proved:,} of them with a"
+        f" proved optimum; every triangulation was checked{verdicts}. {outcomes(results)}</p>"
     )
 
 
@@ -52,8 +57,10 @@ def outcomes(results):
     return "; ".join(sentences) + "."
 
 
-def counted(count, what):
-    return f"{count:,} {what}{'' if count == 1 else 's'}"
+def other_machines(results):
+    if results.machine_count <= 1:
+        return ""
+    return f": the runs are of {results.machine_count} machines, and all times shown are of one ({escape(results.machine)})"
 
 
 def footer(results):
@@ -61,7 +68,7 @@ def footer(results):
     return (
         f'<p>Study “{escape(environment["study"])}”, {escape(environment["recorded_at"])}, commit'
         f' {escape(environment["git_commit"])}, {escape(environment["cpu_model"])}, {escape(environment["compiler"])}.'
-        " α does not depend on the machine, times do.</p>"
+        f" α does not depend on the machine, times do{other_machines(results)}.</p>"
     )
 
 
@@ -117,13 +124,9 @@ def reproduce_section(results):
 
 
 def add_tables(page, results, claim_rows):
-    page.add_section(
-        "tables",
-        "Tables",
-        "<p>α by family, algorithm and n, against proved optima: the upper ends of certified intervals. Means and medians have"
-        " 95% bootstrap intervals over at least five instances. First the usual families and the largest sizes; last what"
-        " every algorithm solves optimally.</p>" + page_tables.summary_table(page, results),
-    )
+    cells = page_tables.summary_table(page, results)
+    if cells:
+        page.add_section("tables", "Tables", f"<p>{SUMMARY_TEXT}</p>{cells}")
     failures = page_tables.failures_table(page, results)
     if failures:
         page.add_section("failures", "Failures", "<p>Every run that failed.</p>" + failures)

@@ -3,7 +3,7 @@ import re
 
 import pandas as pd
 
-from library.html_page import escape
+from library.html_page import counted, escape
 
 QUESTION_CLAIM, WORST_CASE_CLAIM = "C4", "C5"
 BADGES = {
@@ -75,7 +75,7 @@ def claim_details(page, results, claim):
 def claim_html(page, results, claim, row_count):
     name = claim["claim"]
     rows = (
-        f'<a href="#runs" data-table="runs-data" data-set="{name}">Show the {row_count:,} runs</a>'
+        f'<a href="#runs" data-table="runs-data" data-set="{name}">Show the {counted(row_count, "run")}</a>'
         if row_count
         else "no runs"
     )

@@ -32,7 +32,7 @@ def interval(row, name, scale=1.0, digits=6):
 
 def sorted_cells(results):
     """The cells with runs: usual families, large sizes and small alphas first; last the families and sizes on which every
-    algorithm is optimal, for nothing can be learned there."""
+    algorithm is optimal."""
     cells = results.summary[results.summary["runs"] > 0].copy()
     worst = cells.groupby(["family", "n"])["alpha_max"].transform("max")
     cells["is_trivial"] = worst <= OPTIMAL
@@ -43,7 +43,7 @@ def sorted_cells(results):
 
 
 def summary_table(page, results):
-    """Time, alpha and failures per family, algorithm and n."""
+    """Time, alpha and failures per family, algorithm and n; empty if no cell has a run."""
     columns = [
         {"title": "family", "filter": True},
         {"title": "algorithm", "filter": True},
@@ -77,7 +77,15 @@ def summary_table(page, results):
         ]
         for _, cell in sorted_cells(results).iterrows()
     ]
-    return page.data_table("summary-data", "alpha and time by family, algorithm and n", columns, rows)
+    if not rows:
+        return ""
+    return page.data_table("summary-data", "alpha and time by family, algorithm and n", *without_empty(columns, rows))
+
+
+def without_empty(columns, rows):
+    """The columns, and the rows' cells in them, that have a value anywhere."""
+    kept = [position for position in range(len(columns)) if any(row[position] not in ("", None) for row in rows)]
+    return [columns[position] for position in kept], [[row[position] for position in kept] for row in rows]
 
 
 def project_study(results):
@@ -177,7 +185,7 @@ def failures_table(page, results):
         [*run_cells(results, run), run.message or run.checker, *parameter_cells(results, run)]
         for run in failed.itertuples()
     ]
-    return page.data_table("failures-data", "failed runs", columns, rows, **command_templates())
+    return page.data_table("failures-data", "failed runs", *without_empty(columns, rows), **command_templates())
 
 
 def ranges(positions):
@@ -230,4 +238,5 @@ def runs_table(page, results, claim_rows):
         ]
         for run in runs.itertuples()
     ]
-    return page.data_table("runs-data", "all runs", columns, rows, **claim_sets(runs, claim_rows), **command_templates())
+    more = claim_sets(runs, claim_rows) | command_templates()
+    return page.data_table("runs-data", "all runs", *without_empty(columns, rows), **more)

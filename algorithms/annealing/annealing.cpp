@@ -60,7 +60,7 @@ Solution run_annealing(Points points, Context& context) {
   solution.counters = {{"proposals", static_cast<double>(options.proposals)},
                        {"accepted", static_cast<double>(result.accepted)},
                        {"flips", static_cast<double>(flips.flips)}};
-  solution.stopped_early = result.stopped_early || flips.stopped_early;
+  solution.stop_reason = deadline_if(result.stopped_early || flips.stopped_early);
   return solution;
 }
 

@@ -67,7 +67,7 @@ TEST(Annealing, AcceptsWorseStatesWhileItIsHot) {
 TEST(Annealing, StopsAtTheDeadline) {
   const std::vector<Point> points = make_shape(shapes().front(), 1000, 4);
   const Solution solution = solve(points, {{"proposals", "1000000000"}}, 1, Context::Clock::now());
-  EXPECT_TRUE(solution.stopped_early);
+  EXPECT_EQ(solution.stop_reason, StopReason::deadline);
   EXPECT_FALSE(find_violation(points, solution.triangulation));
 }
 

@@ -180,7 +180,7 @@ Solution solve(Points points, Context& context) {
   BruteForceResult result = enumerate_triangulations(points, context);
   Solution solution;
   solution.triangulation = std::move(result.lightest);
-  solution.stopped_early = !result.complete;
+  solution.stop_reason = deadline_if(!result.complete);
   solution.counters["triangulations"] = static_cast<double>(result.count);
   if (result.complete) {
     solution.optimum = result.optimum;

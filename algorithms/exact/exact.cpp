@@ -3,8 +3,10 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "algorithms/exact/candidates/certain_edges.h"
 #include "algorithms/exact/candidates/convex_position.h"
@@ -16,8 +18,7 @@
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
-#include "algorithms/flip/flip.h"
-#include "algorithms/greedy/greedy.h"
+#include "algorithms/fallback/lightest_heuristic.h"
 #include "algorithms/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
@@ -26,11 +27,34 @@ namespace mwt {
 
 namespace {
 
+// The context with another deadline, as long as this lives.
+class OtherDeadline {
+ public:
+  OtherDeadline(Context& context, const Deadline& other)
+      : context_(context), original_(std::exchange(context.deadline, other)) {}
+  ~OtherDeadline() { context_.deadline = original_; }
+  OtherDeadline(const OtherDeadline&) = delete;
+  OtherDeadline& operator=(const OtherDeadline&) = delete;
+
+ private:
+  Context& context_;
+  Deadline original_;
+};
+
 class ExactSolver {
  public:
   ExactSolver(Points points, Context& context) : points_(points), context_(context) {}
 
   Solution run() {
+    Solution solution = run_stages();
+    if (solution.stop_reason) improve(solution);
+    solution.counters = std::move(counters_);
+    return solution;
+  }
+
+ private:
+  Solution run_stages() {
+    const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
     try {
       CandidateGraph graph = candidates();
       const ScopedPhase phase(context_, "faces");
@@ -38,13 +62,12 @@ class ExactSolver {
       count(faces);
       return make_solution(faces);
     } catch (const SearchStopped& stopped) {
-      return give_up(stopped.lower_bound);
+      return without_triangulation(stopped.reason, stopped.lower_bound);
     } catch (const std::bad_alloc&) {
-      return give_up(0);
+      return without_triangulation(StopReason::memory, 0);
     }
   }
 
- private:
   CandidateGraph candidates() {
     report_stage("k-d order", 0);
     {
@@ -124,28 +147,26 @@ class ExactSolver {
       for (Index& corner : triangle) corner = order_.original[corner];
     }
     solution.optimum = faces.optimum;
-    solution.counters = counters_;
-    if (faces.unsolved_faces > 0) improve_by_flips(solution);
+    solution.stop_reason = faces.stop_reason;
     return solution;
   }
 
-  Solution give_up(double lower_bound) const {
+  Solution without_triangulation(StopReason reason, double lower_bound) {
+    order_ = {};
     Solution solution;
-    solution.triangulation = greedy_triangulation(points_);
-    solution.optimum = {std::max(simple_lower_bound(points_), lower_bound),
-                        weight(points_, solution.triangulation).upper};
-    solution.counters = counters_;
-    solution.stopped_early = true;
+    solution.optimum = {std::max(simple_lower_bound(points_), lower_bound), std::numeric_limits<double>::infinity()};
+    solution.stop_reason = reason;
     return solution;
   }
 
-  // Where parts are left unsolved, flips bring a Delaunay triangulation near to the optimum for little time.
-  void improve_by_flips(Solution& solution) const {
-    PlanarMesh mesh(points_, solution.triangulation);
-    flip_to_local_optimum(mesh, FlipOrder::stack, Context{});
-    solution.triangulation = mesh.triangulation();
+  // Replaces what the stages found by the lightest triangulation that heuristics find, from it or otherwise.
+  void improve(Solution& solution) {
+    const ScopedPhase phase(context_, "heuristics");
+    const OtherDeadline last_moment(context_, deadline_of_heuristics(context_.deadline));
+    const bool has_own = !solution.triangulation.triangles.empty();
+    solution.triangulation = lightest_heuristic(
+        points_, context_, has_own ? std::optional(std::move(solution.triangulation)) : std::nullopt);
     solution.optimum->upper = weight(points_, solution.triangulation).upper;
-    solution.stopped_early = true;
   }
 
   void report_stage(const char* stage, double done) const {

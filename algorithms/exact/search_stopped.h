@@ -2,16 +2,20 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
+
+#include "algorithms/stop_reason.h"
 
 namespace mwt {
 
-/// Too many edges pass the diamond test for the memory that a solver may reasonably take, or the deadline has passed.
+/// The deadline has passed, or a part of the problem is too large.
 class SearchStopped : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
-  SearchStopped(const char* reason, double optimum_at_least) : runtime_error(reason), lower_bound(optimum_at_least) {}
+  SearchStopped(StopReason why, const std::string& message, double optimum_at_least = 0)
+      : runtime_error(message), reason(why), lower_bound(optimum_at_least) {}
 
-  double lower_bound = 0;  ///< certified: no triangulation of the points is lighter
+  StopReason reason;
+  double lower_bound;  ///< certified: no triangulation of the points is lighter
 };
 
 }  // namespace mwt

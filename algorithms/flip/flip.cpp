@@ -56,7 +56,7 @@ Solution run_flip(Points points, Context& context) {
   solution.triangulation = mesh.triangulation();
   solution.flips = std::move(result.trace);
   solution.counters = {{"flips", static_cast<double>(result.flips)}, {"tests", static_cast<double>(result.tests)}};
-  solution.stopped_early = result.stopped_early;
+  solution.stop_reason = deadline_if(result.stopped_early);
   return solution;
 }
 

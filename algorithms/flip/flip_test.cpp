@@ -31,7 +31,7 @@ TEST(Flip, EndsAtAValidLocalOptimumOnAllShapes) {
           const auto violation = find_violation(points, solution.triangulation);
           EXPECT_FALSE(violation) << shape.name << " n=" << n << ' ' << start << ": " << violation->message;
           EXPECT_TRUE(is_flip_optimal(PlanarMesh(points, solution.triangulation))) << shape.name << " n=" << n;
-          EXPECT_FALSE(solution.stopped_early);
+          EXPECT_FALSE(solution.stopped_early());
         }
       }
     }
@@ -120,7 +120,7 @@ TEST(Flip, StopsAtTheDeadline) {
     Context context = context_for(flip_entry(), {{"start", "random"}, {"order", order}});
     context.deadline = Context::Clock::now();
     const Solution solution = flip_entry().function(points, context);
-    EXPECT_TRUE(solution.stopped_early);
+    EXPECT_EQ(solution.stop_reason, StopReason::deadline);
     EXPECT_FALSE(find_violation(points, solution.triangulation));
   }
 }

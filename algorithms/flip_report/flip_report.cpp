@@ -162,7 +162,7 @@ Solution solve(Points points, Context& context) {
   solution.counters["flips"] = static_cast<double>(result.flips.size());
   if (first) solution.counters["passes"] = result.passes;
   solution.flips = std::move(result.flips);
-  solution.stopped_early = result.stopped_early;
+  solution.stop_reason = deadline_if(result.stopped_early);
   return solution;
 }
 

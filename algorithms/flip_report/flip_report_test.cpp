@@ -141,7 +141,7 @@ TEST(FlipReport, StopsAtTheDeadlineWithAValidTriangulation) {
     Context context = test::context_for(flip_report_entry(), {{"start", "sweep"}, {"improvement", improvement}});
     context.deadline = Context::Clock::now();
     const Solution solution = flip_report_entry().function(points, context);
-    EXPECT_TRUE(solution.stopped_early);
+    EXPECT_EQ(solution.stop_reason, StopReason::deadline);
     EXPECT_FALSE(find_violation(points, solution.triangulation).has_value());
   }
 }

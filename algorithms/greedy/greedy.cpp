@@ -29,7 +29,7 @@ Solution run_greedy(Points points, Context& context) {
   Solution solution;
   solution.triangulation = mesh.triangulation();
   solution.counters = {{"ears", static_cast<double>(counters.ears)}, {"flips", static_cast<double>(counters.flips)}};
-  solution.stopped_early = counters.stopped_early;
+  solution.stop_reason = deadline_if(counters.stopped_early);
   return solution;
 }
 

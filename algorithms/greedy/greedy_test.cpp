@@ -120,7 +120,7 @@ TEST(Greedy, StopsAtTheDeadlineWithAValidTriangulation) {
   context.deadline = Context::Clock::now();
   const AlgorithmInfo info = greedy_entry();
   const Solution solution = info.function(points, context);
-  EXPECT_TRUE(solution.stopped_early);
+  EXPECT_EQ(solution.stop_reason, StopReason::deadline);
   EXPECT_FALSE(find_violation(points, solution.triangulation));
 }
 
@@ -128,7 +128,7 @@ TEST(Greedy, EntryReportsWhatItDid) {
   const std::vector<Point> points = make_shape(shapes().front(), 2000, 1);
   Context context;
   const Solution solution = greedy_entry().function(points, context);
-  EXPECT_FALSE(solution.stopped_early);
+  EXPECT_FALSE(solution.stopped_early());
   EXPECT_EQ(edges_of(solution.triangulation), edges_of(greedy_triangulation(points)));
   EXPECT_GT(solution.counters.at("ears"), 0);
   EXPECT_GE(solution.counters.at("flips"), solution.counters.at("ears"));

@@ -161,7 +161,7 @@ Solution run_patch(Points points, Context& context) {
   solution.triangulation = mesh.triangulation();
   solution.counters = {{"patches", static_cast<double>(result.patches)},
                        {"improved", static_cast<double>(result.improved)}};
-  solution.stopped_early = result.stopped_early;
+  solution.stop_reason = deadline_if(result.stopped_early);
   return solution;
 }
 

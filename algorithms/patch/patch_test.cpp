@@ -150,7 +150,7 @@ TEST(Patch, StopsAtTheDeadlineAndAfterItsPasses) {
   Context context = context_for(patch_entry(), {{"start", "delaunay"}});
   context.deadline = Context::Clock::now();
   const Solution solution = patch_entry().function(points, context);
-  EXPECT_TRUE(solution.stopped_early);
+  EXPECT_EQ(solution.stop_reason, StopReason::deadline);
   EXPECT_FALSE(find_violation(points, solution.triangulation));
   EXPECT_LT(solve_checked(patch_entry(), points, {{"passes", "1"}}).counters.at("patches"),
             solve_checked(patch_entry(), points, {}).counters.at("patches"));

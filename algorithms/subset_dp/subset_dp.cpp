@@ -239,7 +239,7 @@ Solution solve(Points points, Context& context) {
   std::optional<SubsetDpResult> result = count_and_optimise(points, context);
   if (!result) {
     solution.triangulation = delaunay_triangulation(points);
-    solution.stopped_early = true;
+    solution.stop_reason = StopReason::deadline;
     return solution;
   }
   solution.triangulation = std::move(result->lightest);

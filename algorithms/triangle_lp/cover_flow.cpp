@@ -160,7 +160,8 @@ CoverCredits credits_of_cover(const CoverModel& model, Points points, std::span<
     double through = 0;
     for (const TriangleFlow& field : fields)
       through += field.through(local[model.edges[edge].a], local[model.edges[edge].b]);
-    if (!std::isfinite(through)) continue;
+    // In slivers the field may be huge, by right or by rounding; such a guess would drown all other costs.
+    if (!(std::abs(through) <= model.largest_cover_cost)) continue;
     credits.of_side[forward] = through;
     credits.of_side[backward] = -through;
   }

@@ -13,7 +13,7 @@ using Method = LinearProgram::Method;
 
 // The gap between the relaxation's value and the certified bound, relative to the value, at which refinement rests.
 constexpr double kRestingGap = 0x1p-44;
-// So many rounds in a row that neither bring new columns nor halve the gap end the refinement.
+// So many rounds in a row that neither bring new columns nor halve the best gap end the refinement.
 constexpr int kPatience = 3;
 
 // A power of two by which `worst` becomes about -1: doubles scale exactly.
@@ -174,7 +174,7 @@ bool CoverProgram::add_violated_columns(std::vector<PricedColumn> violated) {
 
 double CoverProgram::solve(double enough, int most_rounds) {
   double best = std::max(0.0, price(model_, credits_).lower);  // all there is if the deadline is near
-  double last_gap = std::numeric_limits<double>::infinity();
+  double best_gap = std::numeric_limits<double>::infinity();
   int rounds_without_gain = 0;
   double scale = 1;
   Method method = Method::dual;
@@ -186,9 +186,9 @@ double CoverProgram::solve(double enough, int most_rounds) {
     const double gap = value - pricing_.lower;
     if (best >= enough || gap <= kRestingGap * value) break;
     const bool grown = add_violated_columns(std::move(pricing_.violated));
-    rounds_without_gain = grown || gap < 0.5 * last_gap ? 0 : rounds_without_gain + 1;
+    rounds_without_gain = grown || gap < 0.5 * best_gap ? 0 : rounds_without_gain + 1;
     if (rounds_without_gain == kPatience) break;
-    last_gap = gap;
+    best_gap = std::min(best_gap, gap);
     scale = scale_for(pricing_.worst);
     method = Method::primal;
   }

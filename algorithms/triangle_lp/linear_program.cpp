@@ -21,11 +21,12 @@ int swallow_message(void*, const char*) { return 1; }
 
 glp_prob* glpk(void* problem) { return static_cast<glp_prob*>(problem); }
 
-// What is left until the deadline in milliseconds, as GLPK wants it.
-int time_limit_ms(const Deadline& deadline) {
+// Half of what is left until the deadline in milliseconds. GLPK's limit holds for the dual simplex method and, where
+// that fails, once more for the primal one.
+int time_slice_ms(const Deadline& deadline) {
   if (!deadline) return INT_MAX;
   const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - std::chrono::steady_clock::now());
-  return static_cast<int>(std::clamp<long long>(left.count(), 1, INT_MAX));
+  return static_cast<int>(std::clamp<long long>(left.count() / 2, 1, INT_MAX));
 }
 
 glp_smcp simplex_options(LinearProgram::Method method, const Deadline& deadline) {
@@ -35,7 +36,7 @@ glp_smcp simplex_options(LinearProgram::Method method, const Deadline& deadline)
   options.meth = method == LinearProgram::Method::primal ? GLP_PRIMAL : GLP_DUALP;
   options.tol_bnd = 1e-9;
   options.tol_dj = 1e-9;
-  options.tm_lim = time_limit_ms(deadline);
+  options.tm_lim = time_slice_ms(deadline);
   return options;
 }
 
@@ -116,13 +117,19 @@ void LinearProgram::set_costs(std::span<const double> costs) {
   });
 }
 
+// Slice by slice, each from the basis that the last one left.
 bool LinearProgram::run_simplex(Method method, const Deadline& deadline) {
   bool optimal = false;
-  const bool survived = guarded([&](glp_prob* problem) {
-    const glp_smcp options = simplex_options(method, deadline);
-    optimal = glp_simplex(problem, &options) == 0 && glp_get_status(problem) == GLP_OPT;
-  });
-  return survived && optimal;
+  int result = GLP_ETMLIM;
+  while (result == GLP_ETMLIM && !has_passed(deadline)) {
+    const bool survived = guarded([&](glp_prob* problem) {
+      const glp_smcp options = simplex_options(method, deadline);
+      result = glp_simplex(problem, &options);
+      optimal = result == 0 && glp_get_status(problem) == GLP_OPT;
+    });
+    if (!survived) return false;
+  }
+  return optimal;
 }
 
 bool LinearProgram::solve(Method method, const Deadline& deadline) {

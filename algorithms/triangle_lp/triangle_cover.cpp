@@ -56,7 +56,8 @@ class CoverSearch {
       best_.programs += program_->programs();
     }
     best_.optimum.lower = std::min(std::max(certain, in_original_unit(lower_)), best_.optimum.upper);
-    best_.proved = !best_.triangles.empty() && !best_.stopped_early && best_.optimum.relative_width() <= kProvedWidth;
+    best_.proved = !best_.triangles.empty() && best_.optimum.relative_width() <= kProvedWidth;
+    best_.stop_reason = stop_reason();
     return std::move(best_);
   }
 
@@ -84,8 +85,14 @@ class CoverSearch {
   [[nodiscard]] double enough() const { return upper() * (1 - kPruningGap); }
 
   bool past_deadline() {
-    if (has_passed(problem_.deadline)) best_.stopped_early = true;
-    return best_.stopped_early;
+    stopped_ = stopped_ || has_passed(problem_.deadline);
+    return stopped_;
+  }
+
+  [[nodiscard]] std::optional<StopReason> stop_reason() const {
+    if (stopped_) return StopReason::deadline;
+    if (best_.proved || best_.triangles.empty()) return {};
+    return StopReason::precision;
   }
 
   void keep_if_lightest(std::vector<Triangle> triangles) {
@@ -154,7 +161,7 @@ class CoverSearch {
   double explore(double known) {
     if (known >= enough() || past_deadline()) return known;
     const double lower = std::max(known, program_->solve(enough()));
-    if (past_deadline() || lower >= enough() || !program_->solved()) return lower;
+    if (lower >= enough() || past_deadline() || !program_->solved()) return lower;
     if (auto cover = program_->cover()) {
       keep_if_lightest(std::move(*cover));
       return lower;
@@ -176,6 +183,7 @@ class CoverSearch {
   TriangleCover best_;
   CoverCredits credits_;  // to begin with
   double lower_ = 0;      // certified, in the model's unit
+  bool stopped_ = false;  // by the deadline
   std::optional<CoverProgram> program_;
 };
 

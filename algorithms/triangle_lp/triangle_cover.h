@@ -11,10 +11,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "algorithms/deadline.h"
+#include "algorithms/stop_reason.h"
 #include "geometry/interval.h"
 #include "geometry/triangulation.h"
 
@@ -38,8 +40,9 @@ struct TriangleCover {
   /// Certified bounds on the weight of the lightest cover by candidates, every edge once; infinite above without a
   /// cover.
   Interval optimum;
-  bool proved = false;           ///< relative width of `optimum` at most 1e-12
-  bool stopped_early = false;    ///< the deadline cut the search short
+  bool proved = false;  ///< relative width of `optimum` at most 1e-12
+  /// Why a cover was not proved lightest: the deadline, or rounding in the linear programs.
+  std::optional<StopReason> stop_reason;
   std::uint64_t programs = 0;    ///< linear programs solved
   std::uint64_t branchings = 0;  ///< fractional optima that had to be branched on
 };

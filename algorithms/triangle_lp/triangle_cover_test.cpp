@@ -105,7 +105,7 @@ TEST(TriangleCover, BoundsTheOptimumWhenItIsLate) {
   TriangleCoverProblem late = region.problem();
   late.deadline = std::chrono::steady_clock::now();
   const TriangleCover cover = lightest_triangle_cover(late);
-  EXPECT_TRUE(cover.stopped_early);
+  EXPECT_EQ(cover.stop_reason, StopReason::deadline);
   EXPECT_FALSE(cover.proved);
   EXPECT_GT(cover.optimum.lower, 0);
   EXPECT_TRUE(overlap(cover.optimum, optimum));

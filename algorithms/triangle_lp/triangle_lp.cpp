@@ -40,7 +40,7 @@ Solution solve_triangle_program(Points points, Context& context) {
   Solution solution;
   solution.triangulation = {start.point_count, std::move(cover.triangles)};
   solution.optimum = cover.optimum;
-  solution.stopped_early = cover.stopped_early;
+  solution.stop_reason = cover.stop_reason;
   solution.counters = {{"empty_triangles", static_cast<double>(triangles.size())},
                        {"programs", static_cast<double>(cover.programs)},
                        {"branchings", static_cast<double>(cover.branchings)}};

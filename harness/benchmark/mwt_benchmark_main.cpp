@@ -3,8 +3,14 @@
 // Two flags of its own: --largest_n=10000000, up to how many points (a million unless told), and --threads=2 (one
 // unless told), which algorithms that use threads may use. Counters: over_yardstick = median processor time (of several
 // threads: wall time) / median of seven Delaunay triangulations of the same points by CGAL, measured in turns with the
+<<<<<<< HEAD
 // algorithm; alpha_lower, alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own stages in its last
 // iteration (in CSV these are in the column `label`: see csv_reporter.h).
+=======
+// algorithm; stopped_early, 1 if something stopped the algorithm (the
+// label says what), else 0; alpha_lower, alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own
+// stages in its last iteration.
+>>>>>>> main
 #include <benchmark/benchmark.h>
 
 #include <cctype>
@@ -55,6 +61,7 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
   context.parameters = cell.request.parameters;
   context.threads = threads;
   const std::uint64_t every = 1 + state.max_iterations / TimeOverYardstick::kYardsticks;
+  std::optional<StopReason> stop_reason;
   std::uint64_t iteration = 0;
   for (auto _ : state) {
     state.PauseTiming();
@@ -66,9 +73,12 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
     Solution solution = benchmark_cell.algorithm->function(points, context);
     const std::chrono::duration<double> wall = Context::Clock::now() - wall_start;
     times.add(threads == 1 ? process_cpu_time_s() - cpu_start : wall.count());
+    stop_reason = solution.stop_reason;
     benchmark::DoNotOptimize(solution.triangulation.triangles.data());
   }
   state.counters["over_yardstick"] = times.ratio(points);
+  state.counters["stopped_early"] = stop_reason ? 1 : 0;
+  if (stop_reason) state.SetLabel("stopped early: " + std::string(phrase_of(*stop_reason)));
   if (cell.alpha) {
     state.counters["alpha_lower"] = cell.alpha->lower;
     state.counters["alpha_upper"] = cell.alpha->upper;

@@ -36,6 +36,7 @@ struct ClaimDetails {
 struct Finding {
   ClaimVerdict verdict = ClaimVerdict::undecided;
   std::string measured;  ///< one line with the figures
+  std::string missing;   ///< if undecided: what would decide it; empty: any run to judge by
   Runs rows;             ///< the runs by which it was judged
   ClaimDetails details;  ///< may be empty
 };

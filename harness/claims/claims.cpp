@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 std::string evidence_text(const JudgedClaim& judged) {
   if (judged.finding.rows.empty()) return judged.claim->data;
-  return grouped(judged.finding.rows.size()) + " runs: " + judged.claim->data;
+  const std::size_t runs = judged.finding.rows.size();
+  return grouped(runs) + (runs == 1 ? " run: " : " runs: ") + judged.claim->data;
 }
 
 void write_table(const fs::path& path, const CsvRow& header, const std::vector<CsvRow>& rows) {
@@ -64,6 +65,12 @@ std::string claim_text(const JudgedClaim& judged) {
          wrapped("-> " + finding.measured, kWidth, "     ");
 }
 
+void say_what_is_missing(JudgedClaim& judged) {
+  auto& [claim, finding] = judged;
+  const std::string missing = finding.missing.empty() ? "no finished run of: " + claim->data : finding.missing;
+  finding.measured += (finding.measured.empty() ? "undecided: " : "; undecided: ") + missing;
+}
+
 }  // namespace
 
 std::string_view name_of(ClaimVerdict verdict) {
@@ -97,7 +104,7 @@ std::vector<JudgedClaim> judge_claims(const StudyRecords& records) {
   std::vector<JudgedClaim> judged;
   for (const Claim& claim : claims_of_the_report()) judged.push_back({&claim, claim.judge(records)});
   for (JudgedClaim& result : judged) {
-    if (result.finding.measured.empty()) result.finding.measured = "not measured: no run to judge by";
+    if (result.finding.verdict == ClaimVerdict::undecided) say_what_is_missing(result);
   }
   return judged;
 }

@@ -109,6 +109,12 @@ ClaimVerdict verdict_of(const std::vector<double>& values) {
   return 2 * below > outside ? ClaimVerdict::refuted_better : ClaimVerdict::refuted;
 }
 
+std::string missing_of(const std::vector<double>& values) {
+  if (values.size() < kFewestInstances)
+    return std::to_string(values.size()) + " instances, " + std::to_string(kFewestInstances) + " are needed";
+  return "the interval for the share of instances inside 1.1-1.5 holds one half; more instances would narrow it";
+}
+
 Finding judge(const StudyRecords& records) {
   Finding finding;
   finding.rows =
@@ -116,6 +122,7 @@ Finding judge(const StudyRecords& records) {
   if (finding.rows.empty()) return finding;
   const std::vector<double> values = alphas(finding.rows);
   finding.verdict = verdict_of(values);
+  finding.missing = missing_of(values);
   finding.measured = "alpha of greedy: mean " + fixed(mean(values), 4) + ", 95% below " +
                      fixed(quantile(values, 0.95), 4) + ", largest " +
                      fixed(*std::max_element(values.begin(), values.end()), 4) + " on " + grouped(values.size()) +

@@ -27,6 +27,7 @@ Finding judge(const StudyRecords& records) {
   Finding finding;
   finding.rows = rated_runs(records, is_greedy);
   const std::optional<Steepest> steepest = steepest_of(finding.rows);
+  finding.missing = "rated runs of greedy or greedy_report at three sizes of some family";
   if (!steepest) return finding;
   bool is_below_n = true;
   for (const RunRecord* run : finding.rows) is_below_n = is_below_n && *run->alpha_upper <= run->n;
@@ -36,6 +37,9 @@ Finding judge(const StudyRecords& records) {
   } else if (is_below_n && steepest->law.exponent.upper <= 1) {
     finding.verdict = ClaimVerdict::holds;
   }
+  finding.missing = is_below_n
+                        ? "the exponent's interval on " + steepest->family + " holds 1; more sizes would narrow it"
+                        : "some alpha is above n, at sizes too small to tell growth";
   finding.measured = "steepest on " + steepest->family + ": alpha grows like n^" + exponent_text(steepest->law) +
                      "; largest alpha " + significant(*largest.alpha_upper, 4) + " at n = " + grouped(largest.n) +
                      " on " + largest.generator + ". The worst case is Theta(sqrt n) (Levcopoulos, Krznaric 1998)";

@@ -70,7 +70,12 @@ Finding judge(const StudyRecords& records) {
            run.alpha_lower;
   });
   const Growth growth = growth_by_family(finding.rows, finding.details);
+  finding.missing = "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " +
+                    std::to_string(kSmallestN) + ", with a certified alpha";
   if (finding.details.rows.empty()) return finding;
+  finding.missing =
+      "nowhere does alpha surely outgrow log n, nor is that excluded everywhere (see the intervals of alpha / log n); "
+      "larger sizes, or proofs of all optima, would tell";
   finding.verdict = growth.beyond_log           ? ClaimVerdict::refuted
                     : growth.nowhere_beyond_log ? ClaimVerdict::holds
                                                 : ClaimVerdict::undecided;

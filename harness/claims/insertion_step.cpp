@@ -35,6 +35,7 @@ double largest_increase(const Runs& runs) {
 }
 
 struct Growth {
+  bool knows_unit_square = false;
   bool holds_in_unit_square = false;
   bool fails_in_unit_square = false;
   bool fails_elsewhere = false;
@@ -54,6 +55,7 @@ Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
         {family, size_range(runs), exponent_text(*law), exponent_text(*over_log), significant(largest, 4)});
     const bool fails = over_log->exponent.lower > kClearGrowth;
     if (family == kUnitSquare) {
+      growth.knows_unit_square = true;
       growth.fails_in_unit_square = fails;
       growth.holds_in_unit_square = over_log->exponent.upper <= 0 && largest <= kMostInUnitSquare;
     } else if (fails) {
@@ -72,7 +74,11 @@ Finding judge(const StudyRecords& records) {
   const Growth growth = growth_by_family(finding.rows, finding.details);
   const auto groups = by_family(finding.rows);
   const auto unit_square = groups.find(kUnitSquare);
+  finding.missing = std::string("finished runs of hull_insertion on ") + kUnitSquare +
+                    " at three sizes, from n = " + std::to_string(kSmallestN);
   if (unit_square == groups.end()) return finding;
+  if (growth.knows_unit_square)
+    finding.missing = "in the unit square growth is neither sure nor excluded; larger sizes would tell";
   if (growth.fails_in_unit_square) {
     finding.verdict = ClaimVerdict::refuted;
   } else if (growth.holds_in_unit_square) {

@@ -38,6 +38,7 @@ std::uint64_t successes(const Runs& runs, double epsilon) {
 
 // What one epsilon comes to over all cells.
 struct Summary {
+  std::vector<std::string> open_cells;  // whose interval holds one half
   std::uint64_t successes = 0;
   double smallest_lower = 1;
   bool every_cell_above = true;
@@ -55,6 +56,9 @@ Summary add_rows(const std::map<Cell, Runs>& cells, double epsilon, ClaimDetails
     summary.smallest_lower = std::min(summary.smallest_lower, interval.lower);
     summary.every_cell_above = summary.every_cell_above && interval.lower > kProbability;
     summary.some_cell_below = summary.some_cell_below || interval.upper <= kProbability;
+    if (interval.lower <= kProbability)
+      summary.open_cells.push_back("start=" + cell.start + " n=" + grouped(cell.n) + " (" + std::to_string(count) +
+                                   " of " + std::to_string(runs.size()) + ")");
   }
   return summary;
 }
@@ -75,6 +79,8 @@ Finding judge(const StudyRecords& records) {
     if (epsilon == kDecidingEpsilon) {
       if (summary.every_cell_above) finding.verdict = ClaimVerdict::holds;
       if (summary.some_cell_below) finding.verdict = ClaimVerdict::refuted;
+      finding.missing = "more finished runs of: " + joined(summary.open_cells) +
+                        "; six successes of six are the fewest that show P > 1/2";
       finding.measured = share + " runs end below 1.1 OPT (uniform, " + size_range(finding.rows) +
                          "); in every cell of n and start P >= " + fixed(summary.smallest_lower, 2) +
                          " with 95% confidence";

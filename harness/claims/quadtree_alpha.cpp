@@ -27,6 +27,13 @@ ClaimVerdict verdict_of(const std::vector<double>& values, const PowerLaw& growt
   return growth.exponent.upper <= kClearGrowth ? ClaimVerdict::holds : ClaimVerdict::undecided;
 }
 
+std::string missing_of(std::size_t instances, const std::optional<PowerLaw>& growth) {
+  if (instances < kFewestInstances)
+    return std::to_string(instances) + " instances, " + std::to_string(kFewestInstances) + " are needed";
+  if (!growth) return "rated runs on uniform points at three sizes";
+  return "growth on uniform points is neither sure nor excluded; more sizes would tell";
+}
+
 Finding judge(const StudyRecords& records) {
   Finding finding;
   const Runs everywhere =
@@ -36,6 +43,7 @@ Finding judge(const StudyRecords& records) {
   const std::optional<PowerLaw> growth = growth_on_uniform(finding.rows);
   if (finding.rows.empty()) return finding;
   const std::vector<double> values = alphas(finding.rows);
+  finding.missing = missing_of(values.size(), growth);
   if (growth && values.size() >= kFewestInstances) finding.verdict = verdict_of(values, *growth);
   const RunRecord& largest = worst(everywhere);
   finding.measured = "alpha on random points: mean " + fixed(mean(values), 4) + ", 95% below " +

@@ -22,7 +22,9 @@ Finding judge(const StudyRecords& records) {
     all_within = all_within && growth.factor.upper <= kClaimedFactor;
     figures += (figures.empty() ? "" : ", ") + family + " " + factor_text(growth.factor);
   }
+  finding.missing = "counts at three sizes of some family, from n = " + std::to_string(kSmallestN);
   if (finding.rows.empty()) return finding;
+  finding.missing = "some factor's interval holds 4; more sizes would narrow it";
   finding.verdict = some_above ? ClaimVerdict::refuted : all_within ? ClaimVerdict::holds : ClaimVerdict::undecided;
   finding.measured = "each further point multiplies the number by " + figures + " (" + size_range(finding.rows) +
                      "); 4 is the limit in convex position only";

@@ -81,7 +81,9 @@ Finding judge(const StudyRecords& records) {
     agreeing += run->triangulation_count == catalan ? 1U : 0U;
     largest = std::max(largest, run->n);
   }
+  finding.missing = "counts in convex position (circle, integer_circle), n at most " + std::to_string(kMostPoints);
   if (convex == 0) return finding;
+  finding.missing = "counts on uniform points at three sizes, which would show that their number grows";
   const auto factors = growth_factors(finding.rows, 3);
   const auto uniform = factors.find("uniform");
   const bool grows = uniform != factors.end() && uniform->second.factor.lower > 1;

@@ -99,6 +99,7 @@ Finding judge_local_search(const StudyRecords& records) {
       finding.rows.push_back(run);
     }
   }
+  finding.missing = "a finished run from the report's start for each of most_flips = 0, 1, -1";
   if (!all_there) return finding;
   const std::optional<double> flips = named_number(finding.rows.back()->counters, "flips");
   finding.measured += " in " + fixed(flips.value_or(0), 0) + " flips";

@@ -71,7 +71,7 @@ Command history_command() {
     declared.flag("--csv", options->csv, "of export: comma-separated, one row per night, cell and measure");
     declared.flag("--json", options->json, "of changes and series: JSON");
     declared.positive("--least-change", options->least_change,
-                      "of changes: smaller steps of times and memory are not told, in percent; 3 if not given");
+                      "of changes: smaller steps of times and memory are not reported, in percent; 3 if not given");
   };
   return {"history", "Look into the history: export it, find what changed", declare,
           [options] { return history(*options); }};

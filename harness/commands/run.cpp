@@ -45,8 +45,9 @@ ExitCode print_overview(const std::string& folder, bool with_alphas) {
   const std::vector<RunRecord> runs = finally_rated(records);
   const std::vector<Cell> cells = cells_of(runs);
   if (with_alphas) std::cout << '\n' << algorithm_table(cells, Labels(cells));
-  const std::string failures = failure_table(runs);
-  if (!failures.empty()) std::cout << '\n' << failures;
+  for (const std::string& table : {failure_table(runs), stopped_early_table(runs)}) {
+    if (!table.empty()) std::cout << '\n' << table;
+  }
   std::cout << "\nrecords: " << folder << "/runs.csv; all tables: mwt report " << folder << '\n';
   const auto is_wrong = [](const auto& record) { return is_disproved(record); };
   const bool has_contradiction = std::any_of(runs.begin(), runs.end(), is_wrong) ||

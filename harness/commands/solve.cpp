@@ -130,7 +130,7 @@ SolveReport describe(const Request& request, const Instance& instance, const Exe
   report.hull_size = instance.hull_size;
   report.triangles = execution.solution.triangulation.triangles.size();
   report.count = execution.solution.count;
-  report.stopped_early = execution.solution.stopped_early;
+  report.stop_reason = execution.solution.stop_reason;
   report.valid = !judgement.violation;
   report.wall_time_s = execution.wall_time_s;
   report.cpu_time_s = execution.cpu_time_s;

@@ -21,12 +21,12 @@ TEST_F(Solve, JsonHasExactlyTheDocumentedFields) {
   write("p.txt", "0 0\n2 0\n2 2\n0 2\n1 1\n2 0\n");
   const nlohmann::json report = json_of("solve p.txt --algorithm delaunay");
   const std::vector<std::string> fields = {
-      "algorithm",     "parameters",    "seed",          "threads",        "n",
-      "distinct",      "duplicates",    "hull_size",     "triangles",      "edges",
-      "weight_lower",  "weight_upper",  "perimeter_sum", "count",          "stopped_early",
-      "optimum_lower", "optimum_upper", "optimality",    "alpha_lower",    "alpha_upper",
-      "valid",         "wall_time_s",   "cpu_time_s",    "peak_rss_bytes", "phases",
-      "counters",      "optimum_cached"};
+      "algorithm",     "parameters",     "seed",          "threads",        "n",
+      "distinct",      "duplicates",     "hull_size",     "triangles",      "edges",
+      "weight_lower",  "weight_upper",   "perimeter_sum", "count",          "stopped_early",
+      "optimum_lower", "optimum_upper",  "optimality",    "alpha_lower",    "alpha_upper",
+      "valid",         "wall_time_s",    "cpu_time_s",    "peak_rss_bytes", "phases",
+      "counters",      "optimum_cached", "stop_reason"};
   EXPECT_EQ(report.size(), fields.size());
   for (const std::string& field : fields) EXPECT_TRUE(report.contains(field)) << field;
   EXPECT_EQ(report["n"], 6);
@@ -37,6 +37,8 @@ TEST_F(Solve, JsonHasExactlyTheDocumentedFields) {
   EXPECT_TRUE(report["valid"]);
   EXPECT_TRUE(report["alpha_upper"].is_null());
   EXPECT_EQ(report["optimality"], "none");
+  EXPECT_FALSE(report["stopped_early"]);
+  EXPECT_TRUE(report["stop_reason"].is_null());
   const double weight = 8 + 4 * std::sqrt(2.0);
   EXPECT_NEAR(report["weight_lower"].get<double>(), weight, 1e-12);
   EXPECT_LE(report["weight_lower"].get<double>(), report["weight_upper"].get<double>());

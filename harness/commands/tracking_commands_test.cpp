@@ -46,6 +46,7 @@ TEST_F(TrackingCommands, MistakesOfCompare) {
   expect_mistake("compare n0 missing", "missing/runs.csv");
   expect_mistake("compare n0 n0 --json --markdown", "not both");
   expect_mistake("compare n0 n0 --measure weight", "not a time");
+  expect_mistake("compare n0 n0 --threshold nan", "'nan' is not a number");
   expect_mistake("compare --build-a .", "belong together");
   expect_mistake("compare --build-a . --build-b .", "--study");
   expect_mistake("compare --build-a . --build-b . --study report", "mwt: no program is there");
@@ -72,25 +73,58 @@ TEST_F(TrackingCommands, TwoBuildsAreRunInTurn) {
   expect_mistake(builds + " --study s.toml --out other --algorithm greedy", "has no algorithm 'greedy'");
 }
 
-// What looks slower in the folders is run again by both builds; only the same algorithms, and these are one program.
-TEST_F(TrackingCommands, WhatLooksSlowerIsConfirmedByBothBuilds) {
+// What the folders leave open is run again by both builds, which are one program here: --force lets it be judged. One
+// repetition a look cannot settle anything, so that there are three looks.
+TEST_F(TrackingCommands, WhatFoldersLeaveOpenIsRunInTurn) {
+  write("s.toml",
+        "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\n"
+        "algorithms = [\"delaunay\", \"sweep\"]\nrepetitions = 3\nmin_time_s = 0.0001\n[optimum]\nseek = false\n");
+  for (const char* folder : {"a", "b"}) EXPECT_EQ(mwt(std::string("run s.toml --out ") + folder).exit_code, 0);
+  StudyRecords slow = read_records(path("b"));
+  for (RunRecord& run : slow.runs) {
+    if (run.algorithm == "sweep") *run.wall_time_s *= 100, *run.cpu_time_s *= 100;
+  }
+  write_records(path("c"), slow);
+  const std::string builds = " --force --build-a " MWT_EXECUTABLE " --build-b " MWT_EXECUTABLE " --study s.toml";
+  const CommandResult result = mwt("compare a c --json --out ab --repetitions 1 --verdict verdict.json" + builds);
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.output, read("verdict.json"));
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["outcome"], "unclear");
+  EXPECT_EQ(json["suspected"]["outcome"], "unclear");
+  EXPECT_EQ(json["confirmed"]["compared_cells"], 2);
+  EXPECT_EQ(json["confirmed"]["cells"][0]["observations"], 3);
+  EXPECT_NEAR(json["confirmed"]["cells"][1]["ratio"].get<double>(), 1, 0.99) << "sweep is not a hundred times slower";
+}
+
+TEST_F(TrackingCommands, TheTimeForRunsInTurnIsLimited) {
+  write("s.toml",
+        "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"delaunay\"]\n"
+        "repetitions = 3\nmin_time_s = 0.0001\n[optimum]\nseek = false\n");
+  for (const char* folder : {"a", "b"}) EXPECT_EQ(mwt(std::string("run s.toml --out ") + folder).exit_code, 0);
+  const CommandResult result =
+      mwt("compare a b --out ab --repetitions 1000 --budget 0.01 --force --build-a " MWT_EXECUTABLE
+          " --build-b " MWT_EXECUTABLE " --study s.toml");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_TRUE(result.output.starts_with("unclear: ")) << result.output;
+  EXPECT_NE(result.output.find("the time for runs in turn was up"), std::string::npos) << result.output;
+}
+
+TEST_F(TrackingCommands, WhatTheStudyDoesNotHaveKeepsItsVerdict) {
   write_night(0);
   write_night(1, [](int, RunRecord& run, RandomEngine&) {
     if (run.algorithm == "flip") *run.wall_time_s *= 3;
   });
-  write("s.toml",
-        "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"*\"]\n"
-        "min_time_s = 0.0001\n");
   EXPECT_EQ(mwt("compare n0 n1").exit_code, 1);
+  write("s.toml",
+        "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [20]\nalgorithms = [\"delaunay\"]\n");
   const std::string builds =
-      " --build-a " MWT_EXECUTABLE " --build-b " MWT_EXECUTABLE " --study s.toml --repetitions 2";
+      " --build-a " MWT_EXECUTABLE " --build-b " MWT_EXECUTABLE " --study s.toml --repetitions 1";
   const CommandResult result = mwt("compare n0 n1 --json --out ab" + builds);
-  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_EQ(result.exit_code, 1) << result.errors;
   const auto json = nlohmann::json::parse(result.output);
-  EXPECT_EQ(json["regression"], false);
-  EXPECT_EQ(json["suspected"]["regression"], true);
-  EXPECT_EQ(json["confirmed"]["compared_cells"], 1);
-  EXPECT_EQ(json["confirmed"]["cells"][0]["algorithm"], "flip order=stack start=delaunay trace=off");
+  EXPECT_EQ(json["outcome"], "regression");
+  EXPECT_GE(json["not_run"].size(), 8u);
   EXPECT_EQ(mwt("compare n0 n0 --out other" + builds).exit_code, 0);
   EXPECT_FALSE(exists("other")) << "nothing to confirm";
 }

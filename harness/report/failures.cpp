@@ -17,9 +17,13 @@ constexpr std::size_t kLongestMessage = 300;
 // Algorithm, parameters, status, and the message without its numbers.
 using Kind = std::tuple<std::string, std::string, RunStatus, std::string>;
 
-struct Failures {
+struct RunsOfAKind {
   std::size_t count = 0;
   const RunRecord* first = nullptr;
+
+  void add(const RunRecord& run) {
+    if (count++ == 0) first = &run;
+  }
 };
 
 bool is_part_of_number(char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; }
@@ -38,7 +42,7 @@ std::string shortened(const std::string& message) {
   return message.size() <= kLongestMessage ? message : message.substr(0, kLongestMessage) + " ...";
 }
 
-std::vector<std::string> row_of(const Failures& failures) {
+std::vector<std::string> row_of(const RunsOfAKind& failures) {
   const RunRecord& run = *failures.first;
   return {run.params.empty() ? run.algorithm : run.algorithm + ' ' + run.params, std::string(name_of(run.status)),
           std::to_string(failures.count), label_of_instance(run), shortened(run.message)};
@@ -47,21 +51,32 @@ std::vector<std::string> row_of(const Failures& failures) {
 }  // namespace
 
 std::string failure_table(const std::vector<RunRecord>& runs) {
-  std::map<Kind, Failures> kinds;
+  std::map<Kind, RunsOfAKind> kinds;
   for (const RunRecord& run : runs) {
-    if (!is_failure(run.status)) continue;
-    Failures& kind = kinds[{run.algorithm, run.params, run.status, without_numbers(run.message)}];
-    if (kind.count++ == 0) kind.first = &run;
+    if (is_failure(run.status)) kinds[{run.algorithm, run.params, run.status, without_numbers(run.message)}].add(run);
   }
-  std::vector<Failures> ordered;
+  std::vector<RunsOfAKind> ordered;
   for (const auto& [kind, failures] : kinds) ordered.push_back(failures);
   std::stable_sort(ordered.begin(), ordered.end(),
-                   [](const Failures& a, const Failures& b) { return a.count > b.count; });
+                   [](const RunsOfAKind& a, const RunsOfAKind& b) { return a.count > b.count; });
   AlignedTable table({"failed", "how", "runs", "first on", "message"}, {1, 3, 4});
   for (std::size_t i = 0; i < std::min(ordered.size(), kMostLines); ++i) table.add_row(row_of(ordered[i]));
   if (table.is_empty()) return "";
   const std::size_t left_out = ordered.size() - std::min(ordered.size(), kMostLines);
   return table.text() + (left_out == 0 ? "" : std::to_string(left_out) + " more kinds of failure: see runs.csv\n");
+}
+
+std::string stopped_early_table(const std::vector<RunRecord>& runs) {
+  std::map<std::pair<std::string, StopReason>, RunsOfAKind> kinds;
+  for (const RunRecord& run : runs) {
+    if (run.stop_reason) kinds[{run.algorithm, *run.stop_reason}].add(run);
+  }
+  AlignedTable table({"stopped early", "why", "runs", "first on"}, {1, 3});
+  for (const auto& [key, kind] : kinds) {
+    table.add_row(
+        {key.first, std::string(phrase_of(key.second)), std::to_string(kind.count), label_of_instance(*kind.first)});
+  }
+  return table.is_empty() ? "" : table.text();
 }
 
 }  // namespace mwt

@@ -27,10 +27,20 @@ std::optional<Growth> growth_in(std::span<const Cell> series, std::vector<double
   growth.smallest_n = *sizes.begin();
   growth.largest_n = *sizes.rbegin();
   growth.law = fit_power_law(measurements).value();
+  growth.lack_of_fit = test_lack_of_fit(measurements, growth.law);
   return growth;
 }
 
+constexpr double kLevelOfFit = 0.01;
+constexpr double kSmallestMisfit = 1.1;
+
 }  // namespace
+
+Fit Growth::fit() const {
+  if (!lack_of_fit.p_value) return Fit::untested;
+  const bool is_off = *lack_of_fit.p_value < kLevelOfFit && lack_of_fit.largest_misfit > kSmallestMisfit;
+  return is_off ? Fit::no : Fit::yes;
+}
 
 std::vector<SeriesGrowth> growth_of(const std::vector<Cell>& cells) {
   std::vector<SeriesGrowth> all;

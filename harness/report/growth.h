@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "harness/report/cells.h"
+#include "harness/statistics/lack_of_fit.h"
 #include "harness/statistics/power_law.h"
 
 namespace mwt {
@@ -12,12 +13,20 @@ namespace mwt {
 /// A power law needs at least this many sizes; through two of them every line fits.
 inline constexpr std::size_t kFewestSizes = 3;
 
+/// Whether the medians of the sizes lie on a power law. `no`: the F test of lack of fit rejects at 1%, and the law
+/// misses some median by more than a tenth; its exponent is then the slope of a line through a curve, and the
+/// exponent's interval says nothing about other sizes. Smaller misfits are shown by precise measurements of anything.
+enum class Fit { yes, no, untested };
+
 struct Growth {
   std::size_t sizes = 0;
   std::size_t observations = 0;
   Index smallest_n = 0;
   Index largest_n = 0;
   PowerLaw law;
+  LackOfFit lack_of_fit;
+
+  [[nodiscard]] Fit fit() const;
 };
 
 /// The laws of one series; missing with too few sizes. All sizes count, small ones, where fixed costs still show,

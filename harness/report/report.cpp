@@ -8,6 +8,7 @@
 #include "harness/report/failures.h"
 #include "harness/report/final_rating.h"
 #include "harness/report/growth_laws.h"
+#include "harness/report/machines.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
 
@@ -19,6 +20,10 @@ void write(const ReportData& data, const char* name, const std::string& content,
   const std::string path = (std::filesystem::path(data.folder) / name).string();
   write_file_atomically(path, content);
   out << "written: " << path << '\n';
+}
+
+void print_warnings(const ReportData& data, std::ostream& out) {
+  for (const std::string& warning : data.warnings) out << "warning: " << warning << "\n\n";
 }
 
 void print_cells(const ReportData& data, std::ostream& out) { out << cell_tables(data.summaries, data.labels) << '\n'; }
@@ -50,8 +55,9 @@ void write_ratings(const ReportData& data, std::ostream& out) {
 }
 
 void print_failures(const ReportData& data, std::ostream& out) {
-  const std::string table = failure_table(data.records.runs);
-  if (!table.empty()) out << table << '\n';
+  for (const std::string& table : {failure_table(data.records.runs), stopped_early_table(data.records.runs)}) {
+    if (!table.empty()) out << table << '\n';
+  }
 }
 
 // Another study would leave most claims undecided, and judge the others by fewer runs than their rules are made for.
@@ -68,19 +74,22 @@ ReportData read_report_data(const std::string& folder) {
   StudyRecords records = read_records(folder);
   if (records.runs.empty()) throw InputError(folder + ": no runs are recorded here yet");
   records.runs = finally_rated(records);
+  std::vector<std::string> warnings = keep_times_of_one_machine(records);
   std::vector<Cell> cells = cells_of(records.runs);
   std::vector<CellSummary> summaries = summarise(cells);
   std::vector<SeriesGrowth> growth = growth_of(cells);
   Labels labels(cells);
-  return {folder, std::move(records), std::move(cells), std::move(summaries), std::move(growth), std::move(labels)};
+  return {folder,           std::move(records),   std::move(warnings),
+          std::move(cells), std::move(summaries), std::move(growth),
+          std::move(labels)};
 }
 
 std::vector<ReportPart> report_tables() {
-  return {print_cells, print_growth, print_growth_laws, print_algorithms, print_failures};
+  return {print_warnings, print_cells, print_growth, print_growth_laws, print_algorithms, print_failures};
 }
 
 std::vector<ReportPart> report_results() {
-  return {write_summary, write_exponents, write_ratings, judge_source_report};
+  return {print_warnings, write_summary, write_exponents, write_ratings, judge_source_report};
 }
 
 }  // namespace mwt

@@ -16,7 +16,8 @@ namespace mwt {
 /// Everything that the parts of a report are made from, computed once.
 struct ReportData {
   std::string folder;
-  StudyRecords records;  ///< the runs finally_rated()
+  StudyRecords records;               ///< the runs finally_rated(), with times of one machine only
+  std::vector<std::string> warnings;  ///< of keep_times_of_one_machine()
   std::vector<Cell> cells;
   std::vector<CellSummary> summaries;
   std::vector<SeriesGrowth> growth;

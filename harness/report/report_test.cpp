@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "harness/folder_testing.h"
 #include "harness/report/failures.h"
 #include "harness/report/final_rating.h"
+#include "harness/report/machines.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
 
@@ -277,6 +279,88 @@ TEST(Report, ClaimsAreJudgedByStudiesMadeForThemOnly) {
   EXPECT_TRUE(std::filesystem::exists(folder.path("out/ratings.csv")));
 }
 
+StudyRecords runs_of_two_machines() {
+  StudyRecords records;
+  records.runs = power_law_runs();
+  for (const char* cpu : {"Abacus", "Difference Engine"}) {
+    EnvironmentRecord environment;
+    environment.env_id = environment.cpu_model = cpu;
+    records.environments.push_back(environment);
+  }
+  for (RunRecord& run : records.runs) {
+    run.env_id = run.seed == 1 ? "Abacus" : "Difference Engine";
+    run.cpu_time_s = run.yardstick_time_s = run.wall_time_s;
+  }
+  return records;
+}
+
+// A shard that ran on another machine went into the same medians.
+TEST(Report, TimesOfSeveralMachinesAreNotTakenTogether) {
+  const testing::TestFolder folder;
+  const StudyRecords records = runs_of_two_machines();
+  const auto on_abacus = std::count_if(records.runs.begin(), records.runs.end(),
+                                       [](const RunRecord& run) { return run.env_id == "Abacus"; });
+  const auto others = static_cast<std::ptrdiff_t>(records.runs.size()) - on_abacus;
+  ASSERT_TRUE(on_abacus > 0 && others > 0 && on_abacus != others);
+  const std::string chosen = on_abacus > others ? "Abacus" : "Difference Engine";
+  write_records(folder.path("out"), records);
+  const ReportData data = read_report_data(folder.path("out"));
+  for (const RunRecord& run : data.records.runs) {
+    EXPECT_EQ(run.wall_time_s.has_value(), run.env_id == chosen);
+    EXPECT_EQ(run.cpu_time_s.has_value(), run.env_id == chosen);
+    EXPECT_EQ(run.yardstick_time_s.has_value(), run.env_id == chosen);
+  }
+  std::ostringstream tables, results;
+  for (const ReportPart& part : report_tables()) part(data, tables);
+  for (const ReportPart& part : report_results()) part(data, results);
+  for (const std::string& text : {tables.str(), results.str()}) {
+    EXPECT_TRUE(text.starts_with("warning: runs of 2 machines: Abacus (")) << text.substr(0, 200);
+    EXPECT_NE(text.find("all times here are those of " + chosen + " alone"), std::string::npos);
+  }
+}
+
+TEST(Report, RunsSideBySideAreNotComparedWithOthers) {
+  StudyRecords records = runs_of_two_machines();
+  for (EnvironmentRecord& environment : records.environments) environment.cpu_model = "Abacus";
+  StudyRecords same = records;
+  EXPECT_TRUE(keep_times_of_one_machine(same).empty());
+  records.environments[1].jobs = 2;
+  ASSERT_EQ(keep_times_of_one_machine(records).size(), 1u);
+  EXPECT_NE(keep_times_of_one_machine(records).at(0).find("Abacus, 2 runs side by side"), std::string::npos);
+}
+
+TEST(Report, SeveralBuildsAreTold) {
+  StudyRecords records;
+  records.runs = power_law_runs();
+  records.runs[0].git_commit = "abc";
+  const std::vector<std::string> warnings = keep_times_of_one_machine(records);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with("runs of 2 builds of mwt, whose times are taken together: ")) << warnings[0];
+  EXPECT_TRUE(records.runs[0].wall_time_s);
+}
+
+// As brute force: its "n^12.9" came without a remark.
+TEST(Report, WhatIsNoPowerLawIsSaidSo) {
+  std::vector<RunRecord> runs;
+  for (const Index n : {8U, 9U, 10U, 11U, 12U, 13U}) {
+    for (const double noise : {0.97, 1.0, 1.03}) {
+      RunRecord& run = runs.emplace_back(power_law_runs().front());
+      run.n = n;
+      run.seed = runs.size();
+      run.wall_time_s = 1e-6 * noise * std::pow(6.0, n - 8.0);
+    }
+  }
+  const std::vector<Cell> cells = cells_of(runs);
+  const std::vector<SeriesGrowth> growth = growth_of(cells);
+  EXPECT_EQ(growth.at(0).time.value().fit(), Fit::no);
+  EXPECT_NE(growth_tables(growth, Labels(cells)).find("no, x1."), std::string::npos);
+  const std::vector<CsvRow> rows = parse_csv(exponents_csv("s", growth));
+  EXPECT_EQ(rows[0].back(), "fits");
+  EXPECT_EQ(rows[1].back(), "no");
+  for (RunRecord& run : runs) *run.wall_time_s = 1e-6 * std::pow(run.n, 3) * (run.seed % 3 == 0 ? 0.97 : 1.01);
+  EXPECT_EQ(growth_of(cells_of(runs)).at(0).time.value().fit(), Fit::yes);
+}
+
 TEST(Report, ManyFailuresAreFewLines) {
   std::vector<RunRecord> runs = power_law_runs();
   EXPECT_EQ(failure_table(runs), "");
@@ -320,6 +404,18 @@ TEST(Report, ThousandsOfKindsOfFailureAreCutShort) {
     runs.back().message = std::string(static_cast<std::size_t>(i + 1), 'x');
   }
   EXPECT_TRUE(failure_table(runs).ends_with("10 more kinds of failure: see runs.csv\n"));
+}
+
+TEST(Report, SaysHowManyRunsStoppedEarlyAndWhy) {
+  std::vector<RunRecord> runs(4, power_law_runs().front());
+  EXPECT_EQ(stopped_early_table(runs), "");
+  runs[0].n = 30;
+  runs[0].stop_reason = runs[1].stop_reason = StopReason::deadline;
+  runs[2].stop_reason = StopReason::memory;
+  EXPECT_EQ(stopped_early_table(runs),
+            "stopped early  why                runs  first on\n"
+            "sweep          too little memory     1  uniform n=10 seed=1\n"
+            "sweep          at the time limit     2  uniform n=30 seed=1\n");
 }
 
 TEST(Report, WithoutRecordsItIsAMistake) {

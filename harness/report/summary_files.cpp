@@ -112,6 +112,13 @@ Columns<FittedMeasure> growth_columns() {
   columns.emplace_back("exponent_upper", end_of_interval(&Estimate::upper));
   columns.emplace_back("factor", [](const Row& row) { return number_text(std::exp(row.growth.law.log_factor.value)); });
   columns.emplace_back("r_squared", [](const Row& row) { return number_text(row.growth.law.r_squared); });
+  columns.emplace_back("lack_of_fit_p", [](const Row& row) { return text_of(row.growth.lack_of_fit.p_value); });
+  columns.emplace_back("largest_misfit",
+                       [](const Row& row) { return number_text(row.growth.lack_of_fit.largest_misfit); });
+  columns.emplace_back("fits", [](const Row& row) -> std::string {
+    const Fit fit = row.growth.fit();
+    return fit == Fit::untested ? "" : fit == Fit::yes ? "yes" : "no";
+  });
   return columns;
 }
 

@@ -120,12 +120,22 @@ std::vector<std::string> cell_row(const CellSummary& summary, const Labels& labe
           summary.optimal_share ? percent(*summary.optimal_share) : kNothing};
 }
 
+std::string fit_text(const Growth& growth) {
+  switch (growth.fit()) {
+    case Fit::yes: return "yes";
+    case Fit::no: return "no, x" + fixed(growth.lack_of_fit.largest_misfit, 2);
+    case Fit::untested: return kNothing;
+  }
+  return kNothing;
+}
+
 std::vector<std::string> growth_cells(const std::optional<Growth>& growth) {
-  if (!growth) return {kNothing, kNothing, kNothing, kNothing};
+  if (!growth) return {kNothing, kNothing, kNothing, kNothing, kNothing};
   const PowerLaw& law = growth->law;
   return {std::to_string(growth->smallest_n) + " .. " + std::to_string(growth->largest_n),
           fixed(without_sign_of_zero(law.exponent.value), kExponentDigits),
-          law.has_interval ? range(law.exponent, kExponentDigits) : kNothing, fixed(law.r_squared, kExponentDigits)};
+          law.has_interval ? range(law.exponent, kExponentDigits) : kNothing, fixed(law.r_squared, kExponentDigits),
+          fit_text(*growth)};
 }
 
 }  // namespace
@@ -163,7 +173,8 @@ std::string cell_tables(const std::vector<CellSummary>& cells, const Labels& lab
 }
 
 std::string growth_tables(const std::vector<SeriesGrowth>& growth, const Labels& labels) {
-  FamilyTables tables({"algorithm", "time: sizes", "exponent", "95%", "R^2", "alpha: sizes", "exponent", "95%", "R^2"});
+  FamilyTables tables(
+      {"algorithm", "time: sizes", "exponent", "95%", "R^2", "fits", "alpha: sizes", "exponent", "95%", "R^2", "fits"});
   for (const SeriesGrowth& series : growth) {
     std::vector<std::string> row = {labels.algorithm(series.series)};
     for (const auto* law : {&series.time, &series.alpha}) {
@@ -172,7 +183,12 @@ std::string growth_tables(const std::vector<SeriesGrowth>& growth, const Labels&
     tables.add_row(labels.family(series.series), std::move(row));
   }
   const std::string text = tables.text();
-  return text.empty() ? "" : "growth with n: exponents e of c n^e, least squares through the logarithms\n\n" + text;
+  if (text.empty()) return "";
+  return "growth with n: exponents e of c n^e, least squares through the logarithms\n"
+         "fits: no, where the medians do not lie on a power law (F test of lack of fit at 1%) and it misses one by so "
+         "much, "
+         "more than\na tenth; the exponent is then the mean slope of a curve, which other sizes need not have\n\n" +
+         text;
 }
 
 }  // namespace mwt

@@ -108,7 +108,7 @@ struct Search : std::enable_shared_from_this<Search> {
     }
     if (!record.certified_lower) return "no bounds";
     return "bounds " + number_text(*record.certified_lower) + " to " + number_text(record.weight_upper.value()) +
-           (record.stopped_early.value_or(false) ? ", stopped early" : "");
+           (record.stop_reason ? ", stopped early, " + std::string(phrase_of(*record.stop_reason)) : "");
   }
 
   void note(const std::string& text) { found.note += (found.note.empty() ? "" : "; ") + text; }

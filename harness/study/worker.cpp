@@ -26,7 +26,8 @@ void fill_in_measures(RunRecord& record, const Execution& execution, const Judge
   record.perimeter_sum = judgement.perimeter_sum.middle();
   record.triangles = judgement.triangles;
   record.edges = judgement.edges;
-  record.stopped_early = execution.solution.stopped_early;
+  record.stopped_early = execution.solution.stopped_early();
+  record.stop_reason = execution.solution.stop_reason;
   record.triangulation_count = execution.solution.count.value_or("");
   record.phases = named_numbers(execution.phases);
   record.counters = named_numbers(execution.solution.counters);

@@ -34,7 +34,7 @@ struct Change {
 };
 
 struct ChangeOptions {
-  double least_change = 0.03;  ///< of times and memory, relatively: smaller steps are not told
+  double least_change = 0.03;  ///< of times and memory, relatively: smaller steps are not reported
 };
 
 /// Times and memory step as in find_steps() (on logarithms), quality and failures as in find_exact_steps(), where

@@ -21,8 +21,9 @@ std::string interval_text(const TimeRow& row) { return fixed(row.ratio.lower, 3)
 
 std::string small_number(double value) { return value < 0.0005 ? "<0.001" : fixed(value, 3); }
 
-std::string time_text(double value, const Comparison& comparison) {
-  return measure_named(comparison.time_measure).unit == "s" ? readable_duration(value) : fixed(value, 3);
+std::string time_text(const std::optional<double>& value, const Comparison& comparison) {
+  if (!value) return "-";
+  return measure_named(comparison.time_measure).unit == "s" ? readable_duration(*value) : fixed(*value, 3);
 }
 
 CsvRow algorithm_cells(const TimeRow& row) {
@@ -43,13 +44,19 @@ CsvRow cell_cells(const TimeRow& row, const Comparison& comparison) {
           name_of(row.verdict)};
 }
 
+/// Of a finding about an algorithm as a whole there is no instance.
+std::string place_of(const ExactFinding& finding) {
+  return finding.cell.generator.empty() ? "everywhere" : instance_label(finding.cell);
+}
+
 CsvRow finding_cells(const ExactFinding& finding) {
-  return {algorithm_label(finding.cell), instance_label(finding.cell), finding.text,
+  return {algorithm_label(finding.cell), place_of(finding), finding.text,
           finding.is_regression ? "regression" : "improvement"};
 }
 
 bool is_told(const TimeRow& row, bool every_cell) {
-  return every_cell || row.verdict == Verdict::regression || row.verdict == Verdict::improvement;
+  return every_cell || row.verdict == Verdict::regression || row.verdict == Verdict::improvement ||
+         row.verdict == Verdict::unclear;
 }
 
 /// A titled table, whatever it will look like.
@@ -86,8 +93,8 @@ std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-/// The regressions (or improvements) to report: algorithms first; cells only of algorithms that are not among them.
-std::vector<std::string> told(const Comparison& comparison, Verdict verdict) {
+/// The rows with this verdict to report: algorithms first; cells only of algorithms that are not among them.
+std::vector<std::string> told_times(const Comparison& comparison, Verdict verdict) {
   std::vector<std::string> names;
   std::vector<std::string> algorithms;
   for (const TimeRow& row : comparison.algorithms) {
@@ -100,30 +107,34 @@ std::vector<std::string> told(const Comparison& comparison, Verdict verdict) {
     if (row.verdict == verdict && !covered)
       names.push_back("time of " + row.algorithm + " on " + row.instance + " x" + fixed(row.ratio.value, 3));
   }
+  return names;
+}
+
+std::vector<std::string> told(const Comparison& comparison, Verdict verdict) {
+  std::vector<std::string> names = told_times(comparison, verdict);
   for (const ExactFinding& finding : comparison.findings) {
     if (finding.is_regression == (verdict == Verdict::regression))
-      names.push_back(algorithm_label(finding.cell) + " on " + instance_label(finding.cell) + ": " + finding.text);
+      names.push_back(algorithm_label(finding.cell) + " on " + place_of(finding) + ": " + finding.text);
   }
   return names;
 }
 
 Json json_of(const TimeRow& row) {
-  return {{"algorithm", row.algorithm},
-          {"instance", row.instance},
-          {"observations", row.observations},
-          {"base", row.base},
-          {"now", row.now},
-          {"ratio", row.ratio.value},
-          {"ratio_lower", row.ratio.lower},
-          {"ratio_upper", row.ratio.upper},
-          {"q_slower", row.q_slower},
-          {"q_faster", row.q_faster},
-          {"verdict", name_of(row.verdict)}};
+  Json object = {{"algorithm", row.algorithm}, {"instance", row.instance}, {"observations", row.observations}};
+  if (row.base) object["base"] = *row.base;
+  if (row.now) object["now"] = *row.now;
+  object.update({{"ratio", row.ratio.value},
+                 {"ratio_lower", row.ratio.lower},
+                 {"ratio_upper", row.ratio.upper},
+                 {"q_slower", row.q_slower},
+                 {"q_faster", row.q_faster},
+                 {"verdict", name_of(row.verdict)}});
+  return object;
 }
 
 Json json_of(const ExactFinding& finding) {
   return {{"algorithm", algorithm_label(finding.cell)},
-          {"instance", instance_label(finding.cell)},
+          {"instance", place_of(finding)},
           {"aspect", name_of(finding.aspect)},
           {"regression", finding.is_regression},
           {"text", finding.text}};
@@ -136,20 +147,74 @@ Json json_array(const Rows& rows) {
   return array;
 }
 
+Json json_of(const Comparison& comparison) {
+  return {{"outcome", name_of(comparison.outcome())},
+          {"verdict", verdict_line(comparison)},
+          {"regression", comparison.has_regression()},
+          {"threshold", comparison.options.threshold},
+          {"error_rate", comparison.options.error_rate},
+          {"paired", comparison.options.paired},
+          {"time_measure", comparison.time_measure},
+          {"compared_cells", comparison.compared_cells},
+          {"notes", comparison.notes},
+          {"only_in_base", comparison.only_in_base},
+          {"only_in_new", comparison.only_in_new},
+          {"untimed", comparison.untimed},
+          {"algorithms", json_array(comparison.algorithms)},
+          {"cells", json_array(comparison.cells)},
+          {"findings", json_array(comparison.findings)}};
+}
+
+/// " (a; b; ...)", or nothing.
+std::string in_brackets(const std::vector<std::string>& names) {
+  constexpr std::size_t kNamed = 5;
+  if (names.empty()) return "";
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, names.size()));
+  return " (" + joined({names.begin(), end}, "; ") + (names.size() > kNamed ? "; ..." : "") + ")";
+}
+
+std::vector<std::string> labels_of(const std::set<TrackedCell>& cells) {
+  std::vector<std::string> labels;
+  for (const TrackedCell& cell : cells) labels.push_back(algorithm_label(cell) + " on " + instance_label(cell));
+  return labels;
+}
+
+constexpr const char* kInTurn = "what these folders leave open, run by both builds in turn";
+
+/// The text of both parts, each made by `text_of`.
+template <class TextOf>
+std::string both_texts(const Settled& settled, const std::string& title, TextOf text_of) {
+  std::string text = text_of(settled.folders);
+  if (settled.in_turn) text += '\n' + title + "\n\n" + text_of(*settled.in_turn);
+  return text;
+}
+
 }  // namespace
 
 std::string verdict_line(const Comparison& comparison) {
   const std::vector<std::string> worse = told(comparison, Verdict::regression);
   const std::vector<std::string> better = told(comparison, Verdict::improvement);
-  const auto list = [](const std::vector<std::string>& names) {
-    constexpr std::size_t kNamed = 5;
-    if (names.empty()) return std::string();
-    const std::vector<std::string> first(names.begin(),
-                                         names.begin() + static_cast<long>(std::min(kNamed, names.size())));
-    return " (" + joined(first, "; ") + (names.size() > kNamed ? "; ..." : "") + ")";
-  };
-  return counted(worse.size(), "regression") + list(worse) + ", " + counted(better.size(), "improvement") +
-         list(better) + " in " + counted(comparison.compared_cells, "cell");
+  const std::vector<std::string> open = told_times(comparison, Verdict::unclear);
+  const std::string unclear = open.empty() ? "" : ", " + std::to_string(open.size()) + " unclear" + in_brackets(open);
+  const bool is_refused = comparison.outcome() == Outcome::not_compared;
+  return counted(worse.size(), "regression") + in_brackets(worse) + ", " + counted(better.size(), "improvement") +
+         in_brackets(better) + unclear + " in " + counted(comparison.compared_cells, "cell") +
+         (is_refused ? "; times were not compared: the machines differ" : "");
+}
+
+std::string verdict_line(const Settled& settled) {
+  std::string line = settled.in_turn ? verdict_line(*settled.in_turn) + " run in turn" : verdict_line(settled.folders);
+  std::vector<std::string> worse;
+  for (const ExactFinding& finding : settled.folders.findings) {
+    if (finding.is_regression && !finding.depends_on_speed)
+      worse.push_back(algorithm_label(finding.cell) + " on " + place_of(finding) + ": " + finding.text);
+  }
+  if (settled.in_turn && !worse.empty())
+    line += "; before: " + counted(worse.size(), "regression") + in_brackets(worse);
+  if (!settled.not_run.empty())
+    line += "; not run in turn, for the study does not have them: " + counted(settled.not_run.size(), "cell") +
+            in_brackets(labels_of(settled.not_run));
+  return line;
 }
 
 std::string comparison_text(const Comparison& comparison, bool every_cell) {
@@ -174,18 +239,27 @@ std::string comparison_markdown(const Comparison& comparison, bool every_cell) {
   return text;
 }
 
-std::string comparison_json(const Comparison& comparison) {
-  const Json object = {{"verdict", verdict_line(comparison)},
-                       {"regression", comparison.has_regression()},
-                       {"threshold", comparison.options.threshold},
-                       {"error_rate", comparison.options.error_rate},
-                       {"paired", comparison.options.paired},
-                       {"time_measure", comparison.time_measure},
-                       {"compared_cells", comparison.compared_cells},
-                       {"notes", comparison.notes},
-                       {"algorithms", json_array(comparison.algorithms)},
-                       {"cells", json_array(comparison.cells)},
-                       {"findings", json_array(comparison.findings)}};
+std::string comparison_json(const Comparison& comparison) { return json_of(comparison).dump(1) + '\n'; }
+
+std::string settled_text(const Settled& settled, bool every_cell) {
+  return name_of(settled.outcome()) + ": " + verdict_line(settled) + "\n\n" +
+         both_texts(settled, kInTurn, [&](const Comparison& part) { return comparison_text(part, every_cell); });
+}
+
+std::string settled_markdown(const Settled& settled, bool every_cell) {
+  return "**" + name_of(settled.outcome()) + "**: " + verdict_line(settled) + "\n\n" +
+         both_texts(settled, std::string("## ") + kInTurn,
+                    [&](const Comparison& part) { return comparison_markdown(part, every_cell); });
+}
+
+std::string settled_json(const Settled& settled) {
+  Json object = {{"outcome", name_of(settled.outcome())},
+                 {"verdict", verdict_line(settled)},
+                 {"regression", settled.outcome() == Outcome::regression},
+                 {"suspected", json_of(settled.folders)},
+                 {"confirmed", nullptr},
+                 {"not_run", labels_of(settled.not_run)}};
+  if (settled.in_turn) object["confirmed"] = json_of(*settled.in_turn);
   return object.dump(1) + '\n';
 }
 

@@ -48,40 +48,71 @@ void compare_quality(const TrackedCell& cell, const Runs& base, const Runs& now,
                                                          : change_text("weight", before->middle(), after->middle());
     findings.push_back({cell, Aspect::quality, after->lower > before->upper, text});
   }
-  if (proved(base) == base.size() && proved(now) == 0 && after)
-    findings.push_back({cell, Aspect::quality, true, "the optimum was proved and is not any more"});
+  const auto ok = [](const RunRecord* run) { return run->status == RunStatus::ok; };
+  if (proved(base) == base.size() && proved(now) == 0 && std::any_of(now.begin(), now.end(), ok))
+    findings.push_back({cell, Aspect::quality, true, "the optimum was proved and is not any more", true});
 }
 
-struct Failures {
+/// The runs of a cell that something is wrong with.
+struct Share {
   std::size_t count = 0;
   std::size_t runs = 0;
-  std::string statuses;
+  std::vector<std::string> kinds;  ///< of what is wrong, each once
 
-  explicit Failures(const Runs& all) : runs(all.size()) {
-    std::vector<std::string> names;
-    for (const RunRecord* run : all) {
-      if (!is_failure(run->status)) continue;
-      ++count;
-      const std::string name(name_of(run->status));
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    }
-    statuses = joined(names);
+  void add(const std::optional<std::string>& kind) {
+    ++runs;
+    if (!kind) return;
+    ++count;
+    if (std::find(kinds.begin(), kinds.end(), *kind) == kinds.end()) kinds.push_back(*kind);
   }
 
   [[nodiscard]] std::string text() const {
     if (count == 0) return "none";
-    return std::to_string(count) + " of " + std::to_string(runs) + " (" + statuses + ")";
+    return std::to_string(count) + " of " + std::to_string(runs) + " (" + joined(kinds) + ")";
   }
 };
 
-void compare_failures(const TrackedCell& cell, const Runs& base, const Runs& now, std::vector<ExactFinding>& findings) {
-  const Failures before(base);
-  const Failures after(now);
+template <class KindOf>
+Share share_of(const Runs& runs, KindOf kind_of) {
+  Share share;
+  for (const RunRecord* run : runs) share.add(kind_of(*run));
+  return share;
+}
+
+std::optional<std::string> kind_of_failure(const RunRecord& run) {
+  return is_failure(run.status) ? std::optional(std::string(name_of(run.status))) : std::nullopt;
+}
+
+std::optional<std::string> kind_of_early_end(const RunRecord& run) {
+  const bool is_early = run.status == RunStatus::ok && run.stopped_early.value_or(false);
+  return is_early ? std::optional<std::string>("stopped early") : std::nullopt;
+}
+
+std::optional<std::string> kind_of_refusal(const RunRecord& run) {
+  return run.status == RunStatus::not_applicable ? std::optional(std::string(name_of(run.status))) : std::nullopt;
+}
+
+void compare_shares(const TrackedCell& cell, const Share& before, const Share& after, const std::string& what,
+                    std::vector<ExactFinding>& findings) {
   const std::size_t share_before = before.count * after.runs;
   const std::size_t share_after = after.count * before.runs;
   if (share_before == share_after) return;
+  const bool worse = share_after > share_before;
+  const std::vector<std::string>& kinds = worse ? after.kinds : before.kinds;
+  const bool depends_on_speed = std::all_of(kinds.begin(), kinds.end(), [](const std::string& kind) {
+    return kind == name_of(RunStatus::timeout) || kind == "stopped early";
+  });
   findings.push_back(
-      {cell, Aspect::failures, share_after > share_before, "failed runs: " + before.text() + " -> " + after.text()});
+      {cell, Aspect::failures, worse, what + ": " + before.text() + " -> " + after.text(), depends_on_speed});
+}
+
+void compare_failures(const TrackedCell& cell, const Runs& base, const Runs& now, std::vector<ExactFinding>& findings) {
+  const auto compare = [&](const std::string& what, auto kind_of) {
+    compare_shares(cell, share_of(base, kind_of), share_of(now, kind_of), what, findings);
+  };
+  compare("failed runs", kind_of_failure);
+  compare("runs that did not end by themselves", kind_of_early_end);
+  compare("runs that the algorithm declines", kind_of_refusal);
 }
 
 bool is_clearly_larger(double larger, double smaller, double threshold) {

@@ -47,7 +47,36 @@ TEST(ExactFindings, StoppedEarlySaysNothingAboutQuality) {
   RunRecord stopped = good_run();
   stopped.stopped_early = true;
   stopped.weight_lower = stopped.weight_upper = 1000;
-  EXPECT_TRUE(findings({good_run()}, {stopped}).empty());
+  for (const ExactFinding& finding : findings({good_run()}, {stopped})) EXPECT_NE(finding.aspect, Aspect::quality);
+}
+
+TEST(ExactFindings, RunsThatAreStoppedEarlyNowAreARegression) {
+  RunRecord stopped = good_run();
+  stopped.stopped_early = true;
+  const auto found = findings({good_run(), good_run()}, {stopped, good_run()});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].is_regression);
+  EXPECT_TRUE(found[0].depends_on_speed);
+  EXPECT_EQ(found[0].text, "runs that did not end by themselves: none -> 1 of 2 (stopped early)");
+}
+
+// Neither a failure nor a time nor a weight is left of it.
+TEST(ExactFindings, AnInstanceThatIsDeclinedNowIsARegression) {
+  RunRecord declined = good_run();
+  declined.status = RunStatus::not_applicable;
+  const auto found = findings({good_run()}, {declined});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].is_regression);
+  EXPECT_FALSE(found[0].depends_on_speed);
+  EXPECT_TRUE(findings({declined}, {declined}).empty());
+}
+
+TEST(ExactFindings, OnlyTimeLimitsDependOnTheMachinesLoad) {
+  RunRecord late = good_run(), broken = good_run();
+  late.status = RunStatus::timeout;
+  broken.status = RunStatus::crashed;
+  EXPECT_TRUE(findings({good_run()}, {late})[0].depends_on_speed);
+  EXPECT_FALSE(findings({good_run()}, {late, broken})[0].depends_on_speed);
 }
 
 TEST(ExactFindings, WithoutAProvedOptimumTheWeightIsTold) {

@@ -14,15 +14,15 @@ namespace mwt {
 
 namespace {
 
-constexpr int kHistoryVersion = 1;
+constexpr int kHistoryVersion = 2;
 constexpr int kPatienceMs = 30000;
 
 constexpr const char* kTables = R"(
 CREATE TABLE IF NOT EXISTS night (
   id INTEGER PRIMARY KEY,
-  git_commit TEXT NOT NULL, environment TEXT NOT NULL, study TEXT NOT NULL,
+  git_commit TEXT NOT NULL, environment TEXT NOT NULL, study TEXT NOT NULL, configuration TEXT NOT NULL,
   machine TEXT NOT NULL, recorded_at TEXT NOT NULL,
-  UNIQUE (git_commit, environment, study));
+  UNIQUE (git_commit, environment, study, configuration));
 CREATE TABLE IF NOT EXISTS cell (
   id INTEGER PRIMARY KEY,
   algorithm TEXT NOT NULL, params TEXT NOT NULL, generator TEXT NOT NULL, generator_params TEXT NOT NULL,
@@ -32,6 +32,19 @@ CREATE TABLE IF NOT EXISTS value (
   night INTEGER NOT NULL REFERENCES night (id), cell INTEGER NOT NULL REFERENCES cell (id), measure TEXT NOT NULL,
   value REAL NOT NULL, runs INTEGER NOT NULL,
   PRIMARY KEY (night, cell, measure)) WITHOUT ROWID;
+)";
+
+// SQLite cannot change what is unique in a table; version 1 had no configuration.
+constexpr const char* kFromVersion1 = R"(
+CREATE TABLE new_night (
+  id INTEGER PRIMARY KEY,
+  git_commit TEXT NOT NULL, environment TEXT NOT NULL, study TEXT NOT NULL, configuration TEXT NOT NULL,
+  machine TEXT NOT NULL, recorded_at TEXT NOT NULL,
+  UNIQUE (git_commit, environment, study, configuration));
+INSERT INTO new_night SELECT id, git_commit, environment, study, '', machine, recorded_at FROM night;
+DROP TABLE night;
+ALTER TABLE new_night RENAME TO night;
+PRAGMA user_version = 2;
 )";
 
 [[noreturn]] void fail(const std::string& path, sqlite3* database) {
@@ -195,11 +208,11 @@ History::History(std::string path, Mode mode) : path_(std::move(path)) {
   try {
     if (code != SQLITE_OK) fail(path_, database_);
     sqlite3_busy_timeout(database_, kPatienceMs);
-    execute(path_, database_, "PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
+    execute(path_, database_, "PRAGMA synchronous = FULL");
     if (mode == Mode::write) make_tables();
-    Statement version(path_, database_, "PRAGMA user_version");
-    version.step();
-    if (version.integer(0) != kHistoryVersion)
+    if (version() == 1) renew();
+    execute(path_, database_, "PRAGMA foreign_keys = ON");  // not before: tables are replaced
+    if (version() != kHistoryVersion)
       throw InputError(path_ + ": is no history of this program's version; choose another file with --history");
   } catch (...) {
     sqlite3_close(database_);
@@ -220,40 +233,79 @@ void History::make_tables() {
   transaction.commit();
 }
 
-History::Added History::add(const Night& night) {
+int History::version() const {
+  Statement version(path_, database_, "PRAGMA user_version");
+  version.step();
+  return static_cast<int>(version.integer(0));
+}
+
+// Another process may have done it meanwhile.
+void History::renew() {
   Transaction transaction(path_, database_, "BEGIN IMMEDIATE");
+  if (version() == 1) execute(path_, database_, kFromVersion1);
+  transaction.commit();
+}
+
+// With its values a night that was tracked before there were configurations gets its own.
+bool History::adopt_old_night(const Night& night, const std::vector<NightValue>& values) {
   Statement find(path_, database_,
-                 "SELECT id, recorded_at FROM night WHERE git_commit = ? AND environment = ? AND study = ?");
-  find.bind(night.git_commit, night.environment, night.study);
-  const std::vector<NightValue> values = sorted(night.values);
-  const std::optional<std::int64_t> earlier = find.step() ? std::optional(find.integer(0)) : std::nullopt;
-  if (earlier && same_values(values_of_night(path_, database_, *earlier), values)) return Added::unchanged;
-  if (earlier && night.recorded_at < find.text(1)) return Added::outdated;
-  if (earlier) {
-    Statement(path_, database_, "DELETE FROM value WHERE night = ?").bind(*earlier).step();
-    Statement(path_, database_, "UPDATE night SET recorded_at = ? WHERE id = ?")
-        .bind(night.recorded_at, *earlier)
-        .step();
-  } else {
-    Statement(path_, database_, "INSERT INTO night VALUES (NULL, ?, ?, ?, ?, ?)")
-        .bind(night.git_commit, night.environment, night.study, night.machine, night.recorded_at)
-        .step();
-  }
-  const std::int64_t id = earlier.value_or(sqlite3_last_insert_rowid(database_));
+                 "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ''");
+  if (night.configuration.empty() || !find.bind(night.git_commit, night.environment, night.study).step()) return false;
+  if (!same_values(values_of_night(path_, database_, find.integer(0)), values)) return false;
+  Statement(path_, database_, "UPDATE night SET configuration = ? WHERE id = ?")
+      .bind(night.configuration, find.integer(0))
+      .step();
+  return true;
+}
+
+bool History::has_other_configuration(const Night& night) const {
+  Statement find(path_, database_,
+                 "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration <> ?");
+  return find.bind(night.git_commit, night.environment, night.study, night.configuration).step();
+}
+
+void History::write_values(std::int64_t id, const std::vector<NightValue>& values) {
+  Statement(path_, database_, "DELETE FROM value WHERE night = ?").bind(id).step();
   NightWriter writer(path_, database_);
   for (const NightValue& value : values) writer.write(id, value);
+}
+
+History::Added History::add(const Night& night) {
+  Transaction transaction(path_, database_, "BEGIN IMMEDIATE");
+  const std::vector<NightValue> values = sorted(night.values);
+  Statement find(path_, database_,
+                 "SELECT id, recorded_at FROM night "
+                 "WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ?");
+  Added added = Added::replaced;
+  if (find.bind(night.git_commit, night.environment, night.study, night.configuration).step()) {
+    const std::int64_t earlier = find.integer(0);
+    if (same_values(values_of_night(path_, database_, earlier), values)) return Added::unchanged;
+    if (night.recorded_at < find.text(1)) return Added::outdated;
+    Statement(path_, database_, "UPDATE night SET recorded_at = ? WHERE id = ?")
+        .bind(night.recorded_at, earlier)
+        .step();
+    write_values(earlier, values);
+  } else if (adopt_old_night(night, values)) {
+    added = Added::unchanged;
+  } else {
+    added = has_other_configuration(night) ? Added::as_another : Added::as_new;
+    Statement(path_, database_, "INSERT INTO night VALUES (NULL, ?, ?, ?, ?, ?, ?)")
+        .bind(night.git_commit, night.environment, night.study, night.configuration, night.machine, night.recorded_at)
+        .step();
+    write_values(sqlite3_last_insert_rowid(database_), values);
+  }
   transaction.commit();
-  return earlier ? Added::replaced : Added::as_new;
+  return added;
 }
 
 std::vector<Night> History::nights() const {
   const Transaction snapshot(path_, database_, "BEGIN");
   Statement rows(path_, database_,
-                 "SELECT id, git_commit, environment, machine, study, recorded_at FROM night "
-                 "ORDER BY recorded_at, git_commit");
+                 "SELECT id, git_commit, environment, machine, study, configuration, recorded_at FROM night "
+                 "ORDER BY recorded_at, git_commit, configuration");
   std::vector<Night> nights;
   while (rows.step()) {
-    nights.push_back({rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5),
+    nights.push_back({rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5), rows.text(6),
                       values_of_night(path_, database_, rows.integer(0))});
   }
   return nights;

@@ -1,6 +1,7 @@
 #include "harness/tracking/history.h"
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,7 +18,7 @@ using testing::TestFolder;
 using testing::write_text;
 
 Night small_night(int number) {
-  Night night{testing::synthetic_commit(number),        "env", "Abacus", "nightly",
+  Night night{testing::synthetic_commit(number),        "env", "Abacus", "nightly", "c",
               "2026-01-" + std::to_string(10 + number), {}};
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
     night.values.push_back({{"greedy", "k=1", "uniform", "", 100, seed, 1}, "wall_time_s", 0.1 * number, 3});
@@ -67,6 +68,60 @@ TEST_F(HistoryFile, IsIdempotentPerCommitEnvironmentAndStudy) {
     EXPECT_EQ(night.values.size(), small_night(1).values.size());
     EXPECT_EQ(night.recorded_at, "2026-02-01");
   }
+}
+
+// A changed study under the same name used to take the place of the old one.
+TEST_F(HistoryFile, AnotherConfigurationIsAnotherNight) {
+  History history(path(), History::Mode::write);
+  EXPECT_EQ(history.add(small_night(1)), History::Added::as_new);
+  Night changed = small_night(1);
+  changed.configuration = "d";
+  changed.values.pop_back();
+  EXPECT_EQ(history.add(changed), History::Added::as_another);
+  EXPECT_EQ(history.add(changed), History::Added::unchanged);
+  const std::vector<Night> nights = history.nights();
+  ASSERT_EQ(nights.size(), 2u);
+  EXPECT_EQ(nights[0].values.size(), small_night(1).values.size());
+  EXPECT_EQ(nights[0].configuration, "c");
+  EXPECT_EQ(nights[1].values.size(), small_night(1).values.size() - 1);
+}
+
+// As version 1 of the program left it: two nights of two commits.
+constexpr const char* kVersion1 =
+    "CREATE TABLE night (id INTEGER PRIMARY KEY, git_commit TEXT NOT NULL, environment TEXT NOT NULL, "
+    "study TEXT NOT NULL, machine TEXT NOT NULL, recorded_at TEXT NOT NULL, UNIQUE (git_commit, environment, study));"
+    "CREATE TABLE cell (id INTEGER PRIMARY KEY, algorithm TEXT NOT NULL, params TEXT NOT NULL, generator TEXT NOT "
+    "NULL, "
+    "generator_params TEXT NOT NULL, n INTEGER NOT NULL, seed INTEGER NOT NULL, threads INTEGER NOT NULL, "
+    "UNIQUE (algorithm, params, generator, generator_params, n, seed, threads));"
+    "CREATE TABLE value (night INTEGER NOT NULL REFERENCES night (id), cell INTEGER NOT NULL REFERENCES cell (id), "
+    "measure TEXT NOT NULL, value REAL NOT NULL, runs INTEGER NOT NULL, PRIMARY KEY (night, cell, measure)) WITHOUT "
+    "ROWID;"
+    "INSERT INTO cell VALUES (1, 'greedy', '', 'uniform', '', 100, 1, 1);"
+    "INSERT INTO night VALUES (1, 'a', 'env', 'nightly', 'Abacus', '2026-01-01');"
+    "INSERT INTO night VALUES (2, 'b', 'env', 'nightly', 'Abacus', '2026-01-02');"
+    "INSERT INTO value VALUES (1, 1, 'wall_time_s', 0.5, 3); INSERT INTO value VALUES (2, 1, 'wall_time_s', 0.25, 3);"
+    "PRAGMA user_version = 1;";
+
+TEST_F(HistoryFile, OneOfVersion1IsReadAndGoesOn) {
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(database, kVersion1, nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(database);
+  EXPECT_EQ(History(path(), History::Mode::read).nights().size(), 2u);
+  Night same{"a", "env", "Abacus", "nightly", "c", "2026-01-01", {}};
+  same.values.push_back({{"greedy", "", "uniform", "", 100, 1, 1}, "wall_time_s", 0.5, 3});
+  History history(path(), History::Mode::write);
+  EXPECT_EQ(history.add(same), History::Added::unchanged) << "known, though without a configuration";
+  same.values[0].value = 0.75;
+  same.configuration = "d";
+  EXPECT_EQ(history.add(same), History::Added::as_another);
+  const std::vector<Night> nights = history.nights();
+  ASSERT_EQ(nights.size(), 3u);
+  EXPECT_EQ(nights[0].configuration, "c");
+  EXPECT_EQ(nights[0].values.at(0).value, 0.5);
+  EXPECT_EQ(nights[1].values.at(0).value, 0.75);
+  EXPECT_EQ(nights[2].values.at(0).value, 0.25);
 }
 
 TEST_F(HistoryFile, NightsComeInTheOrderOfTimeWhateverTheOrderOfTracking) {

@@ -28,7 +28,8 @@ CsvRow row_of(std::size_t position, const Night& night, const NightValue& value)
           std::to_string(cell.seed),
           value.measure,
           number_text(value.value),
-          std::to_string(value.runs)};
+          std::to_string(value.runs),
+          night.configuration};
 }
 
 Json json_of(const SeriesStep& step) {
@@ -95,7 +96,7 @@ Json array_of(const std::vector<Change>& changes, const std::vector<Night>& nigh
 std::string history_csv(const std::vector<Night>& nights) {
   std::string text =
       csv_line({"night", "recorded_at", "git_commit", "environment", "machine", "study", "algorithm", "params",
-                "threads", "generator", "generator_params", "n", "seed", "measure", "value", "runs"});
+                "threads", "generator", "generator_params", "n", "seed", "measure", "value", "runs", "configuration"});
   for (std::size_t night = 0; night < nights.size(); ++night) {
     for (const NightValue& value : nights[night].values) text += csv_line(row_of(night, nights[night], value));
   }

@@ -10,7 +10,8 @@
 namespace mwt {
 
 /// One row per night, cell and measure, with a header: night (counted from 0), recorded_at, git_commit, environment,
-/// machine, study, algorithm, params, threads, generator, generator_params, n, seed, measure, value, runs.
+/// machine, study, algorithm, params, threads, generator, generator_params, n, seed, measure, value, runs,
+/// configuration (nights of the same commit, environment and study differ in it).
 [[nodiscard]] std::string history_csv(const std::vector<Night>& nights);
 
 /// An array with one object per change: study, environment, algorithm, aspect, regression, night, recorded_at, commit,

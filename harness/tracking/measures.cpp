@@ -17,13 +17,10 @@ std::optional<double> if_ok(const RunRecord& run, const std::optional<double>& v
   return run.status == RunStatus::ok ? value : std::nullopt;
 }
 
-/// CPU time where one thread is allowed and the clock's ticks, which may last milliseconds, do not matter: what other
-/// programs took is not in it. The yardstick, a median of short runs, has hardly any of it either.
+/// CPU time where one thread is allowed: what other programs took is not in it. The yardstick, a median of short runs,
+/// has hardly any of it either.
 double undisturbed_time(const RunRecord& run) {
-  constexpr double kLongEnough = 0.01;
-  const double wall = *run.wall_time_s;
-  const bool is_steady = run.threads == 1 && wall * static_cast<double>(run.iterations.value_or(1)) >= kLongEnough;
-  return is_steady && run.cpu_time_s > 0.0 ? *run.cpu_time_s : wall;
+  return run.threads == 1 && run.cpu_time_s > 0.0 ? *run.cpu_time_s : *run.wall_time_s;
 }
 
 std::optional<double> relative_time(const RunRecord& run) {

@@ -17,15 +17,24 @@ struct NightKey {
   std::string environment;
   std::string machine;
   std::string study;
+  std::string configuration;
 
   friend auto operator<=>(const NightKey&, const NightKey&) = default;
 };
+
+std::string configuration_of(const ResultSet& results, const RunRecord& run) {
+  const bool commit_tells = !run.git_commit.ends_with("-dirty") && run.git_commit != "unknown";
+  const std::string program = commit_tells ? "" : run.binary_sha256;
+  if (results.study_file.empty() && program.empty()) return "";
+  return short_hash(results.study_file + '\n' + program);
+}
 
 NightKey key_of(const ResultSet& results, const RunRecord& run) {
   const EnvironmentRecord environment = results.environment_of(run);
   const std::string machine = machine_of(environment);
   const std::string name = machine.empty() ? "unknown" : machine;
-  return {run.git_commit, short_hash(name + '\n' + std::to_string(environment.jobs)), name, run.study};
+  return {run.git_commit, short_hash(name + '\n' + std::to_string(environment.jobs)), name, run.study,
+          configuration_of(results, run)};
 }
 
 void add_values(Night& night, const std::vector<const RunRecord*>& runs) {
@@ -49,7 +58,8 @@ std::vector<Night> nights_of(const ResultSet& results) {
   for (const RunRecord& run : results.runs) runs_of[key_of(results, run)].push_back(&run);
   std::vector<Night> nights;
   for (const auto& [key, runs] : runs_of) {
-    Night& night = nights.emplace_back(Night{key.git_commit, key.environment, key.machine, key.study, "", {}});
+    Night& night =
+        nights.emplace_back(Night{key.git_commit, key.environment, key.machine, key.study, key.configuration, "", {}});
     add_values(night, runs);
   }
   std::sort(nights.begin(), nights.end(), [](const Night& a, const Night& b) {

@@ -22,12 +22,16 @@ struct Night {
   std::string environment;  ///< fingerprint: hash of `machine` and of the number of jobs side by side
   std::string machine;
   std::string study;
-  std::string recorded_at;  ///< when its last run had ended
+  std::string configuration;  ///< fingerprint of the study's file, and of the program if `git_commit` does not tell it
+  std::string recorded_at;    ///< when its last run had ended
   std::vector<NightValue> values;
 };
 
-/// The nights of a folder, usually one: its runs by commit, environment and study, ordered by time. Runs without an
-/// environment count as those of an unknown machine.
+/// The nights of a folder, usually one: its runs by commit, environment, study and configuration, ordered by time. Runs
+/// without an environment count as those of an unknown machine.
+///
+/// A commit does not tell the program where the sources differed from it ("-dirty") or where there was no git
+/// ("unknown"). The configuration is empty for a folder without a study file whose commits tell the program.
 [[nodiscard]] std::vector<Night> nights_of(const ResultSet& results);
 
 }  // namespace mwt

@@ -1,9 +1,9 @@
 #include "harness/tracking/result_set.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "geometry/error.h"
 #include "geometry/input_file.h"
@@ -24,30 +24,87 @@ std::vector<std::optional<std::size_t>> places_of(const std::vector<Column<Recor
   return places;
 }
 
-template <class Record>
-std::vector<Record> read_table(const std::string& file, const std::vector<Column<Record>>& columns,
-                               const std::vector<std::string>& needed) {
-  const std::vector<CsvRow> rows = parse_csv(read_file(file));
-  const CsvRow header = rows.empty() ? CsvRow{} : rows.front();
+[[noreturn]] void refuse(const std::string& place, const std::string& what) { throw InputError(place + ": " + what); }
+
+/// The columns of the present version are where they belong; more of them may follow, from builds that add some.
+void require_columns(const std::string& file, const CsvRow& header, const std::vector<std::string>& expected) {
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (i < header.size() && header[i] == expected[i]) continue;
+    const std::string found = i < header.size() ? "'" + header[i] + "'" : "nothing";
+    refuse(file, "column " + std::to_string(i + 1) + " is " + found + " where schema version " +
+                     std::to_string(kSchemaVersion) + " has '" + expected[i] +
+                     "'; the file was altered: run the study anew");
+  }
+}
+
+void require_names(const std::string& file, const CsvRow& header, const std::vector<std::string>& needed) {
   for (const std::string& name : needed) {
     if (std::find(header.begin(), header.end(), name) == header.end())
-      throw InputError(file + ": has no column '" + name + "'; is this a study's results?");
+      refuse(file, "has no column '" + name + "'; is this a study's results?");
   }
-  const auto places = places_of(columns, header);
-  std::vector<Record> records;
-  for (std::size_t row = 1; row < rows.size(); ++row) {
-    const std::string line = file + ':' + std::to_string(row + 1);
-    if (rows[row].size() != header.size()) throw InputError(line + ": malformed row");
-    Record& record = records.emplace_back();
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      try {
-        if (places[i]) columns[i].read(record, rows[row][*places[i]]);
-      } catch (const std::invalid_argument& text) {
-        throw InputError(line + ": '" + text.what() + "' is no " + columns[i].name);
-      }
+}
+
+template <class Record>
+Record record_of(const std::vector<Column<Record>>& columns, const std::vector<std::optional<std::size_t>>& places,
+                 const CsvRow& row, const std::string& line) {
+  Record record;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    try {
+      if (places[i]) columns[i].read(record, row[*places[i]]);
+    } catch (const std::invalid_argument& text) {
+      refuse(line, std::string("'") + text.what() + "' is no " + columns[i].name);
     }
   }
-  return records;
+  return record;
+}
+
+/// A file's records, all of one schema version.
+template <class Record>
+struct Table {
+  std::vector<Record> records;
+  int schema_version = kSchemaVersion;
+};
+
+template <class Record>
+Table<Record> read_table(const std::string& file, const std::vector<Column<Record>>& columns, std::size_t first_columns,
+                         std::vector<std::string> needed) {
+  const std::vector<CsvRow> rows = parse_csv(read_file(file));
+  const CsvRow header = rows.empty() ? CsvRow{} : rows.front();
+  needed.emplace_back("schema_version");
+  require_names(file, header, needed);
+  const auto places = places_of(columns, header);
+  Table<Record> table;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const std::string line = file + ':' + std::to_string(row + 1);
+    if (rows[row].size() != header.size()) refuse(line, "malformed row");
+    const Record& record = table.records.emplace_back(record_of(columns, places, rows[row], line));
+    if (row == 1) table.schema_version = record.schema_version;
+    const std::string version = "schema version " + std::to_string(record.schema_version);
+    if (record.schema_version < 1 || record.schema_version > kSchemaVersion)
+      refuse(line, version + " is unknown here; use the mwt that wrote it");
+    if (record.schema_version != table.schema_version)
+      refuse(line, version + " after rows of version " + std::to_string(table.schema_version));
+  }
+  const CsvRow expected = header_of(columns);
+  const auto end = expected.begin() + static_cast<std::ptrdiff_t>(first_columns);
+  if (table.schema_version == kSchemaVersion) require_columns(file, header, {expected.begin(), end});
+  return table;
+}
+
+/// Whether a run of one thread used no CPU time, or more than there was: its clock ticked, by 1 to 10 ms.
+bool shows_ticks(const RunRecord& run) {
+  constexpr double kMostOverhead = 1.5;
+  if (run.status != RunStatus::ok || run.threads != 1 || !run.cpu_time_s || !run.wall_time_s) return false;
+  return *run.cpu_time_s == 0 || *run.cpu_time_s > kMostOverhead * *run.wall_time_s;
+}
+
+void leave_out_ticking_times(std::vector<RunRecord>& runs) {
+  constexpr double kHundredTicks = 0.4;
+  if (std::none_of(runs.begin(), runs.end(), shows_ticks)) return;
+  for (RunRecord& run : runs) {
+    const double measured = run.cpu_time_s.value_or(0) * static_cast<double>(run.iterations.value_or(1));
+    if (measured < kHundredTicks) run.cpu_time_s.reset();
+  }
 }
 
 }  // namespace
@@ -63,24 +120,19 @@ ResultSet read_results(const std::string& folder) {
   const std::filesystem::path path(folder);
   ResultSet results;
   results.folder = folder;
-  results.runs = read_table((path / "runs.csv").string(), run_columns(),
-                            {"algorithm", "params", "generator", "n", "seed", "status", "git_commit"});
+  Table<RunRecord> runs = read_table((path / "runs.csv").string(), run_columns(), kFirstRunColumns,
+                                     {"algorithm", "params", "generator", "n", "seed", "status", "git_commit"});
+  results.runs = std::move(runs.records);
+  results.schema_version = runs.schema_version;
+  leave_out_ticking_times(results.runs);
+  const std::string study_file = (path / "study.toml").string();
+  if (std::filesystem::exists(study_file)) results.study_file = read_file(study_file);
   const std::string environments = (path / "environments.csv").string();
-  if (std::filesystem::exists(environments))
-    results.environments = read_table(environments, environment_columns(), {"env_id"});
-  return results;
-}
-
-std::string machine_of(const EnvironmentRecord& environment) {
-  std::vector<std::string> parts;
-  if (!environment.cpu_model.empty()) parts.push_back(environment.cpu_model);
-  if (environment.logical_cpus) parts.push_back(std::to_string(*environment.logical_cpus) + " CPUs");
-  if (environment.memory_bytes) {
-    parts.push_back(std::to_string(std::lround(static_cast<double>(*environment.memory_bytes) / (1U << 30))) + " GiB");
+  if (std::filesystem::exists(environments)) {
+    results.environments =
+        read_table(environments, environment_columns(), kFirstEnvironmentColumns, {"env_id"}).records;
   }
-  std::string machine;
-  for (const std::string& part : parts) machine += (machine.empty() ? "" : ", ") + part;
-  return machine;
+  return results;
 }
 
 }  // namespace mwt

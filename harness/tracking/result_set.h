@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/environment.h"
 #include "harness/records.h"
 
 namespace mwt {
@@ -12,18 +13,22 @@ struct ResultSet {
   std::string folder;
   std::vector<RunRecord> runs;
   std::vector<EnvironmentRecord> environments;
+  int schema_version = kSchemaVersion;
+  std::string study_file{};  ///< content of study.toml; empty if there is none
 
   /// The environment of a run; an empty one if environments.csv has none.
   [[nodiscard]] EnvironmentRecord environment_of(const RunRecord& run) const;
 };
 
-/// Reads runs.csv and environments.csv (which may be missing) by the names of their columns: columns that this version
+/// Reads runs.csv and environments.csv (which may be missing). Files of the present schema version must have its
+/// columns in their places; those of older versions are read by the names of their columns: columns that this version
 /// does not know are left out, those that the file lacks stay empty. A torn last row is left out.
-/// Throws InputError "FILE[:LINE]: what": no runs.csv, no column that says which run a row is, a malformed field.
+///
+/// Where the CPU times come from a clock that ticked, as in builds of mwt that put a CPU limit on each run, those of
+/// less than a hundred ticks are left out.
+///
+/// Throws InputError "FILE[:LINE]: what; remedy": no runs.csv, other columns, a newer schema version or several of
+/// them, a malformed field.
 [[nodiscard]] ResultSet read_results(const std::string& folder);
-
-/// What makes two machines the same for comparing times: processor, logical CPUs, memory to the gigabyte. Empty if the
-/// environment tells none of them.
-[[nodiscard]] std::string machine_of(const EnvironmentRecord& environment);
 
 }  // namespace mwt

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "geometry/error.h"
+#include "harness/csv.h"
 #include "harness/folder_testing.h"
 #include "harness/tracking/night.h"
 #include "harness/tracking/synthetic_nights_testing.h"
@@ -56,11 +60,106 @@ TEST(ResultSet, ComplaintsNameTheLine) {
   EXPECT_NE(complaint(folder.path("none")).find("runs.csv"), std::string::npos);
   write_text(folder.path("runs.csv"), "a,b\n1,2\n");
   EXPECT_NE(complaint(folder.path("")).find("has no column 'algorithm'"), std::string::npos);
-  write_text(folder.path("runs.csv"),
-             "git_commit,algorithm,params,generator,n,seed,status\nabc,greedy,,uniform,many,7,ok\n");
+  const std::string header = "schema_version,git_commit,algorithm,params,generator,n,seed,status\n";
+  write_text(folder.path("runs.csv"), header + "1,abc,greedy,,uniform,many,7,ok\n");
   EXPECT_NE(complaint(folder.path("")).find("runs.csv:2: 'many' is no n"), std::string::npos);
-  write_text(folder.path("runs.csv"), "git_commit,algorithm,params,generator,n,seed,status\nabc,greedy\n");
+  write_text(folder.path("runs.csv"), header + "1,abc,greedy\n");
   EXPECT_NE(complaint(folder.path("")).find("runs.csv:2: malformed row"), std::string::npos);
+}
+
+const std::string kVersion = std::to_string(kSchemaVersion);
+
+class DamagedResults : public ::testing::Test {
+ protected:
+  DamagedResults() { testing::write_synthetic_night(folder_.path("r"), testing::synthetic_runs({}, 3, 1)); }
+
+  /// Replaces text in runs.csv, everywhere, and says what the reader complains about.
+  std::string complaint_after(const std::string& text, const std::string& replacement) {
+    std::string content = testing::read_text(folder_.path("r/runs.csv"));
+    for (std::size_t at = content.find(text); at != std::string::npos; at = content.find(text, at + replacement.size()))
+      content.replace(at, text.size(), replacement);
+    write_text(folder_.path("r/runs.csv"), content);
+    return complaint(folder_.path("r"));
+  }
+
+  TestFolder folder_;
+};
+
+// With its times renamed a folder had no times, and so no regressions.
+TEST_F(DamagedResults, RenamedColumnsAreRefused) {
+  EXPECT_NE(complaint_after("wall_time_s", "wall")
+                .find("column 22 is 'wall' where schema version " + kVersion + " has 'wall_time_s'"),
+            std::string::npos);
+}
+
+TEST_F(DamagedResults, MissingColumnsAreRefused) {
+  std::string content;
+  for (CsvRow row : parse_csv(testing::read_text(folder_.path("r/runs.csv")))) {
+    row.pop_back();
+    content += csv_line(row);
+  }
+  write_text(folder_.path("r/runs.csv"), content);
+  const std::string expected = "column " + std::to_string(run_columns().size()) + " is nothing where schema version " +
+                               kVersion + " has '" + run_columns().back().name + "'";
+  EXPECT_NE(complaint(folder_.path("r")).find(expected), std::string::npos);
+}
+
+TEST_F(DamagedResults, NewerSchemaVersionsAreRefused) {
+  const std::string newer = std::to_string(kSchemaVersion + 1);
+  EXPECT_NE(complaint_after("\n" + kVersion + ",", "\n" + newer + ",")
+                .find("runs.csv:2: schema version " + newer + " is unknown here"),
+            std::string::npos);
+}
+
+TEST(ResultSet, SeveralSchemaVersionsAreRefused) {
+  const TestFolder folder;
+  write_text(folder.path("runs.csv"),
+             "schema_version,git_commit,algorithm,params,generator,n,seed,status\n1,abc,greedy,,uniform,9,7,ok\n"
+             "2,abc,greedy,,uniform,9,7,ok\n");
+  EXPECT_NE(complaint(folder.path("")).find("runs.csv:3: schema version 2 after rows of version 1"), std::string::npos);
+}
+
+TEST(ResultSet, WhatIsNotANumberIsRefused) {
+  std::vector<RunRecord> runs = testing::synthetic_runs({}, 3, 1);
+  for (const double damaged : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    runs[4].wall_time_s = damaged;
+    const TestFolder folder;
+    testing::write_synthetic_night(folder.path("r"), runs);
+    EXPECT_NE(complaint(folder.path("r")).find("runs.csv:6: '"), std::string::npos) << complaint(folder.path("r"));
+    EXPECT_THROW((void)read_records(folder.path("r")), InputError) << "mwt report likewise";
+  }
+}
+
+TEST(ResultSet, CpuTimesOfAClockThatTickedAreLeftOut) {
+  const TestFolder folder;
+  std::vector<RunRecord> runs = testing::synthetic_runs({}, 3, 1);
+  runs[0].cpu_time_s = 0;
+  runs[1].wall_time_s = runs[1].cpu_time_s = 0.6;
+  runs[1].iterations = 1;
+  testing::write_synthetic_night(folder.path("r"), runs);
+  const ResultSet results = read_results(folder.path("r"));
+  EXPECT_FALSE(results.runs[0].cpu_time_s);
+  EXPECT_TRUE(results.runs[1].cpu_time_s) << "more than a hundred ticks";
+  EXPECT_FALSE(results.runs[2].cpu_time_s);
+}
+
+TEST(Nights, AChangedStudyOfTheSameNameIsAnotherNight) {
+  ResultSet results{"", testing::synthetic_runs({}, 5, 1), {testing::synthetic_environment()}};
+  results.study_file = "name = \"synthetic\"\nsizes = [100]\n";
+  const std::string before = nights_of(results).at(0).configuration;
+  EXPECT_EQ(nights_of(results).at(0).configuration, before);
+  results.study_file = "name = \"synthetic\"\nsizes = [200]\n";
+  EXPECT_NE(nights_of(results).at(0).configuration, before);
+}
+
+TEST(Nights, ACommitThatDoesNotTellTheProgramIsNotTheSameNight) {
+  ResultSet results{"", testing::synthetic_runs({}, 5, 1), {testing::synthetic_environment()}};
+  const auto configuration_with = [&](const std::string& commit, const std::string& binary) {
+    for (RunRecord& run : results.runs) run.git_commit = commit, run.binary_sha256 = binary;
+    return nights_of(results).at(0).configuration;
+  };
+  EXPECT_EQ(configuration_with("abc", "x"), configuration_with("abc", "y"));
+  EXPECT_NE(configuration_with("abc-dirty", "x"), configuration_with("abc-dirty", "y"));
 }
 
 TEST(Nights, OneForEveryCommitAndMachineOrderedByTime) {

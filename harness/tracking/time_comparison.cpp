@@ -43,13 +43,15 @@ double heavy_upper_tail(double excess, double deviation) {
 TimeJudgement judge_log_ratios(const std::vector<double>& log_ratios, double threshold) {
   const double least = std::log1p(threshold);
   return {exponential(bootstrap_pseudo_median(log_ratios)), signed_rank_p_value(moved(log_ratios, 1, least)),
-          signed_rank_p_value(moved(log_ratios, -1, least))};
+          signed_rank_p_value(moved(log_ratios, -1, least)), signed_rank_p_value(moved(log_ratios, -1, -least)),
+          signed_rank_p_value(moved(log_ratios, 1, -least))};
 }
 
 TimeJudgement judge_log_times(const std::vector<double>& base, const std::vector<double>& now, double threshold) {
   const double least = std::log1p(threshold);
   return {exponential(bootstrap_shift(base, now)), rank_sum_p_value(base, moved(now, 1, least)),
-          rank_sum_p_value(now, moved(base, 1, least))};
+          rank_sum_p_value(now, moved(base, 1, least)), rank_sum_p_value(now, moved(base, 1, -least)),
+          rank_sum_p_value(base, moved(now, 1, -least))};
 }
 
 void require_standing_out(TimeJudgement& judgement, const std::vector<double>& log_ratios_of_all, double threshold) {
@@ -58,6 +60,8 @@ void require_standing_out(TimeJudgement& judgement, const std::vector<double>& l
   const double own = std::log(judgement.ratio.value);
   judgement.p_slower = std::max(judgement.p_slower, heavy_upper_tail(own - least, deviation));
   judgement.p_faster = std::max(judgement.p_faster, heavy_upper_tail(-own - least, deviation));
+  judgement.p_not_slower = std::max(judgement.p_not_slower, heavy_upper_tail(least - own, deviation));
+  judgement.p_not_faster = std::max(judgement.p_not_faster, heavy_upper_tail(least + own, deviation));
 }
 
 void require_difference_from_others(TimeJudgement& judgement, const std::vector<double>& own,

@@ -37,8 +37,8 @@ std::vector<double> typical_by_repetition(const std::vector<const TimedCell*>& c
 /// Judges the times of the cells of both sides, one row per cell and one per algorithm.
 class TableMaker {
  public:
-  TableMaker(const std::vector<TimedCell>& cells, const CompareOptions& options, bool has_yardstick)
-      : cells_(cells), options_(options), has_yardstick_(has_yardstick) {
+  TableMaker(const std::vector<TimedCell>& cells, const CompareOptions& options, const Measuring& measuring)
+      : cells_(cells), options_(options), measuring_(measuring) {
     for (const TimedCell& cell : cells_) {
       log_ratios_.push_back(options_.paired ? pseudo_median(values_of(paired_log_ratios(cell)))
                                             : shift_between(values_of(cell.base), values_of(cell.now)));
@@ -70,6 +70,7 @@ class TableMaker {
     judged.row.name = cell.cell.algorithm;
     judged.row.algorithm = algorithm_label(cell.cell);
     judged.row.instance = instance_label(cell.cell);
+    judged.row.cell = cell.cell;
     judged.row.base = std::exp(median(values_of(cell.base)));
     judged.row.now = std::exp(median(values_of(cell.now)));
     if (options_.paired) {
@@ -98,7 +99,7 @@ class TableMaker {
     }
     require_difference_from_others(judged.judgement, observations, others, options_.threshold);
     // Without the yardstick, slower algorithms cannot be told from a slower machine.
-    if (others.empty() && !has_yardstick_) judged.judgement.p_slower = judged.judgement.p_faster = 1;
+    if (others.empty() && !measuring_.has_yardstick) judged.judgement.p_slower = judged.judgement.p_faster = 1;
     return judged;
   }
 
@@ -127,17 +128,26 @@ class TableMaker {
       row.ratio = judged[i].judgement.ratio;
       row.q_slower = slower[i];
       row.q_faster = faster[i];
-      if (row.q_slower <= options_.error_rate && row.ratio.lower > 1 + options_.threshold)
-        row.verdict = Verdict::regression;
-      if (row.q_faster <= options_.error_rate && row.ratio.upper < 1 / (1 + options_.threshold))
-        row.verdict = Verdict::improvement;
+      row.verdict = verdict_of(row, judged[i].judgement);
     }
     return rows;
   }
 
+  /// Sure of a difference: after the correction for many tests, so that few alarms are false. Sure that there is none:
+  /// without it, each row by itself, for there the error would be to miss one.
+  [[nodiscard]] Verdict verdict_of(const TimeRow& row, const TimeJudgement& judgement) const {
+    const double most = 1 + options_.threshold, least = 1 / most;
+    if (row.q_slower <= options_.error_rate && row.ratio.lower > most) return Verdict::regression;
+    if (row.q_faster <= options_.error_rate && row.ratio.upper < least) return Verdict::improvement;
+    const bool excludes_slower = judgement.p_not_slower <= options_.error_rate && row.ratio.upper <= most;
+    const bool excludes_faster = judgement.p_not_faster <= options_.error_rate && row.ratio.lower >= least;
+    if (!measuring_.can_exclude || !excludes_slower) return Verdict::unclear;
+    return excludes_faster ? Verdict::same : Verdict::not_slower;
+  }
+
   const std::vector<TimedCell>& cells_;
   const CompareOptions& options_;
-  bool has_yardstick_;
+  Measuring measuring_;
   std::vector<double> log_ratios_;  // of each cell
 };
 
@@ -155,6 +165,8 @@ Repetitions paired_log_ratios(const TimedCell& cell) {
 std::string name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::same: return "same";
+    case Verdict::not_slower: return "not slower";
+    case Verdict::unclear: return "unclear";
     case Verdict::regression: return "regression";
     case Verdict::improvement: return "improvement";
     case Verdict::identical_binary: return "identical binary";
@@ -162,8 +174,9 @@ std::string name_of(Verdict verdict) {
   return "";
 }
 
-TimeTable make_time_table(const std::vector<TimedCell>& cells, const CompareOptions& options, bool has_yardstick) {
-  const TableMaker maker(cells, options, has_yardstick);
+TimeTable make_time_table(const std::vector<TimedCell>& cells, const CompareOptions& options,
+                          const Measuring& measuring) {
+  const TableMaker maker(cells, options, measuring);
   return {maker.algorithm_rows(), maker.cell_rows()};
 }
 

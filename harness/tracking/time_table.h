@@ -21,21 +21,29 @@ struct CompareOptions {
   std::optional<std::string> time_measure;  ///< one of measures(); see below for the default
 };
 
-enum class Verdict { same, regression, improvement, identical_binary };
+enum class Verdict {
+  same,              ///< differences beyond the threshold are excluded in both directions
+  not_slower,        ///< slower by more than the threshold is excluded; faster is not
+  unclear,           ///< neither excluded nor sure: slower by more than the threshold is possible
+  regression,        ///< slower by more than the threshold
+  improvement,       ///< faster by more than the threshold
+  identical_binary,  ///< not judged
+};
 [[nodiscard]] std::string name_of(Verdict verdict);
 
 /// How the times of some runs compare.
 struct TimeRow {
-  std::string name;       ///< of the algorithm; "all" for all of them
-  std::string algorithm;  ///< the same with its parameters
-  std::string instance;   ///< empty for a row of an algorithm
+  std::string name;                 ///< of the algorithm; "all" for all of them
+  std::string algorithm;            ///< the same with its parameters
+  std::string instance;             ///< empty for a row of an algorithm
+  std::optional<TrackedCell> cell;  ///< none for a row of an algorithm
   std::size_t observations = 0;
-  double base = 0;  ///< median; 0 for rows of algorithms, whose cells are not alike
-  double now = 0;
+  std::optional<double> base;  ///< median; rows of algorithms have none, for their cells are not alike
+  std::optional<double> now;
   Estimate ratio;       ///< of new to base, with its 95% bootstrap interval
   double q_slower = 1;  ///< adjusted p-value of "slower by more than the threshold"
   double q_faster = 1;
-  Verdict verdict = Verdict::same;
+  Verdict verdict = Verdict::unclear;
 };
 
 using Repetitions = std::map<int, double>;  ///< logarithms of times
@@ -61,8 +69,14 @@ struct TimeTable {
   std::vector<TimeRow> cells;
 };
 
+/// What is known of how two sides were measured.
+struct Measuring {
+  bool has_yardstick = false;
+  bool can_exclude = false;  ///< whether a slowdown that does not show is none: the machine was in the same state
+};
+
 /// Precondition: at least one cell; each has a time of both sides, in the same repetition if options.paired.
 [[nodiscard]] TimeTable make_time_table(const std::vector<TimedCell>& cells, const CompareOptions& options,
-                                        bool has_yardstick);
+                                        const Measuring& measuring);
 
 }  // namespace mwt

@@ -1,7 +1,16 @@
 """By how much the algorithms exceed the optimum, alpha - 1 by n, one panel per family: those that readers look for first."""
 import math
 
-from figures.panels import always_optimal, equal_labels, grid, large_enough, legend, percent_ticks, side_by_side
+from figures.panels import (
+    always_optimal,
+    equal_labels,
+    grid,
+    large_enough,
+    legend,
+    name_panel,
+    percent_ticks,
+    side_by_side,
+)
 from library.records import OPTIMAL
 from library.style import INK, Styles
 
@@ -79,7 +88,7 @@ def draw(results, layout, further=False):
     highest = max(0, math.ceil(math.log10(chosen.observations["alpha_upper"].max() - 1)))
     for position, (axes, family) in enumerate(zip(panels, chosen.families)):
         set_scale(axes, chosen.observations, highest)
-        axes.set_title(family)
+        name_panel(axes, family, layout)
         axes.set_xlabel("points n")
         if position % layout.columns == 0:
             axes.set_ylabel(r"excess $\alpha - 1$")

@@ -4,7 +4,8 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 
-from figures.panels import always_optimal, large_enough, percent_ticks
+from figures.panels import always_optimal, fold, large_enough, percent_ticks
+from library.html_page import counted
 from library.records import USUAL_FAMILIES
 from library.style import INK, Styles
 
@@ -34,7 +35,7 @@ def described(label, of_label):
     """The name of a row, with the sizes that its marks stand for."""
     low, high = of_label["n"].min(), of_label["n"].max()
     sizes = f"n = {low:,}" if low == high else f"n = {low:,} to {high:,}"
-    return f"{label}\n{sizes}: {len(of_label):,} instance{'' if len(of_label) == 1 else 's'}"
+    return f"{label}\n{sizes}: {counted(len(of_label), 'instance')}"
 
 
 def draw_row(axes, row, of_label, colour, half):
@@ -52,7 +53,8 @@ def name_rows(axes, names, layout):
     axes.tick_params(axis="y", length=0)
     if layout.is_narrow:
         for row, name in enumerate(names):
-            axes.text(0.01, row - 0.34, name.replace("\n", ", "), fontsize=7, transform=axes.get_yaxis_transform())
+            text = fold(name.replace("\n", ", "), layout.panel_width + 0.2, 7)
+            axes.text(0.01, row - 0.34, text, fontsize=7, linespacing=1, transform=axes.get_yaxis_transform())
 
 
 def draw_band(axes):
@@ -66,7 +68,7 @@ def draw(results, layout):
     if not labels:
         return None
     styles = Styles(labels)
-    row_height = 0.62 if layout.is_narrow else 0.42
+    row_height = 0.68 if layout.is_narrow else 0.42
     figure, axes = plt.subplots(figsize=(layout.width(layout.columns), row_height * len(labels) + 1.1))
     if results.judges_claims:
         draw_band(axes)
@@ -76,7 +78,7 @@ def draw(results, layout):
         draw_row(axes, row, of_label, styles.colour(label), 0.27 if layout.is_narrow else 0.4)
         names.append(described(label, of_label))
     name_rows(axes, names, layout)
-    axes.set_ylim(len(labels) - 0.4, -1.2)
+    axes.set_ylim(len(labels) - 0.4, -1.2 if results.judges_claims or layout.is_narrow else -0.7)
     highest = max(0, math.ceil(math.log10(observations["alpha_upper"].max() - 1)))
     ticks, texts = percent_ticks(LOWEST_DECADE, highest)
     every = 2 if layout.is_narrow else 1

@@ -2,12 +2,13 @@
 import numpy as np
 
 from figures.fits import power_law, upper_half
-from figures.panels import SMALLEST_N, grid, side_by_side
+from figures.panels import SMALLEST_N, fold, grid, name_panel, side_by_side
 from library.records import CELL
 from library.style import INK, Styles, report_first
 
 TITLE = "Where heuristics fail: growth of α"
 SMALLEST_SLOPE = 0.1
+LEGEND_SIZE = 7
 MOST_FAMILIES = 9
 MOST_ALIKE = 3  # panels that show the same algorithms
 TICKS = (1, 2, 5, 10, 20, 50, 100, 1000, 1e4, 1e5)
@@ -81,7 +82,7 @@ def set_scale(axes, of_family):
     axes.minorticks_off()
 
 
-def draw_family(axes, of_family, styles):
+def draw_family(axes, of_family, styles, inches):
     labels = report_first(of_family)
     marks = [(n, value) for label in labels for n, value in of_family[label][0].items()]
     places = iter(side_by_side(axes, marks))
@@ -89,10 +90,11 @@ def draw_family(axes, of_family, styles):
         alpha, exponent, factor = of_family[label]
         axes.plot(*line(alpha, exponent, factor), color=styles.colour(label), linewidth=1.1)
         own = [next(places) for _ in alpha]
-        axes.plot(*zip(*own), label=f"{label}  e = {exponent:.2f}", **styles.mark(label))
+        name = fold(f"{label}  e = {exponent:.2f}", inches, LEGEND_SIZE)
+        axes.plot(*zip(*own), label=name, **styles.mark(label))
     n = np.geomspace(SMALLEST_N, max(alpha.index.max() for alpha, _, _ in of_family.values()), 40)
     axes.plot(n, np.log(n) / np.log(SMALLEST_N), color=INK, linewidth=0.7, linestyle=":", zorder=1)
-    axes.legend(fontsize=7, loc="upper left", handletextpad=0.2, labelspacing=0.25, borderaxespad=0)
+    axes.legend(fontsize=LEGEND_SIZE, loc="upper left", handletextpad=0.2, labelspacing=0.25, borderaxespad=0)
 
 
 def draw(results, layout):
@@ -103,13 +105,13 @@ def draw(results, layout):
     figure, panels = grid(len(growing), layout, 2.5)
     for position, (axes, (family, of_family)) in enumerate(zip(panels, growing.items())):
         set_scale(axes, of_family)
-        axes.set_title(family)
+        name_panel(axes, family, layout)
         axes.set_xlabel("points n")
         if position % layout.columns == 0:
             axes.set_ylabel(r"$\alpha$")
     figure.tight_layout()
     for axes, of_family in zip(panels, growing.values()):
-        draw_family(axes, of_family, styles)
+        draw_family(axes, of_family, styles, layout.panel_width - 1)
     return figure
 
 

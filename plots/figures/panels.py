@@ -10,7 +10,7 @@ from library.style import legend_below, report_first
 
 SMALLEST_N = 20  # below, nearly every algorithm is optimal
 MARK_WIDTH = 4.5  # points
-CHARACTERS_PER_INCH = 13
+FONT_SIZE = 8.5  # points, unless a text has another
 TIME_TICKS = {
     1e-7: "100 ns",
     1e-6: "1 µs",
@@ -39,9 +39,13 @@ def grid(count, layout, height, **sharing):
     return figure, panels[:count]
 
 
-def fold(text, inches):
+def fold(text, inches, font_size=FONT_SIZE):
     """The text in lines that fit."""
-    return "\n".join(textwrap.wrap(text, max(12, int(CHARACTERS_PER_INCH * inches)), break_long_words=False))
+    return "\n".join(textwrap.wrap(text, max(12, int(110 / font_size * inches)), break_long_words=False))
+
+
+def name_panel(axes, text, layout):
+    axes.set_title(fold(text, 0.85 * layout.panel_width - 0.5))  # bold, and beside the axis
 
 
 def legend(figure, panels, layout):
@@ -70,13 +74,13 @@ def always_optimal(observations):
 def equal_labels(observations, labels):
     """{label: labels that have the same alphas on all of their instances, which are instances of `label` too}.
 
-    Labels that stand in no other's list are its keys; of equal ones, that with most instances."""
+    Labels that stand in no other's list are its keys; of equal ones, that with most instances, and no variant if possible."""
     alphas = {
         label: of_label.set_index(["family", "instance_id"])["alpha_upper"]
         for label, of_label in observations.groupby("label")
     }
     groups = {}
-    for label in sorted(labels, key=lambda label: -len(alphas[label])):
+    for label in sorted(labels, key=lambda label: (-len(alphas[label]), " " in label)):
         same = next((first for first in groups if are_equal(alphas[first], alphas[label])), None)
         if same is None:
             groups[label] = []

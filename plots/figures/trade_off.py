@@ -1,13 +1,13 @@
 """What time buys: excess over the optimum against running time, at the largest n that the study has in common."""
 import math
 
-from figures.panels import grid, large_enough, legend, percent_ticks, set_time_ticks
+from figures.panels import grid, large_enough, legend, name_panel, percent_ticks, set_time_ticks
 from library.style import INK, Styles
 
 TITLE = "What time buys"
 LOWEST_DECADE = -6
 ENOUGH_ALGORITHMS = 5
-MOST_FAMILIES = 3
+MOST_PANELS = 6
 NEARLY_ALL = 0.85  # of the algorithms
 
 
@@ -26,8 +26,9 @@ def chosen(results):
     if counts.empty:
         return {}
     panels = {}
-    for n in sizes_of(counts.groupby("n").max()):
-        families = [family for family in results.families if (n, family) in counts.index][:MOST_FAMILIES]
+    sizes = sizes_of(counts.groupby("n").max())
+    for n in sizes:
+        families = [family for family in results.families if (n, family) in counts.index][: MOST_PANELS // len(sizes)]
         of_n = observations[observations["n"] == n]
         panels[n] = [(family, of_n[of_n["family"] == family]) for family in families]
     return panels
@@ -84,7 +85,7 @@ def draw(results, layout):
         if cell is not None:
             n, family, observations = cell
             draw_panel(axes, observations, labels, styles)
-            axes.set_title(f"{family}, n = {n:,}")
+            name_panel(axes, f"{family}, n = {n:,}", layout)
             axes.set_xlabel("wall time")
             set_time_ticks(axes.xaxis, most=4)
     worst = max(observations["alpha_upper"].max() for of_n in panels.values() for _, observations in of_n)

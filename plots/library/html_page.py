@@ -112,6 +112,10 @@ def number(value, digits=6):
     return float(f"{value:.{digits}g}") if isinstance(value, float) else value
 
 
+def counted(count, what):
+    return f"{count:,} {what}{'' if count == 1 else 's'}"
+
+
 def escape(text):
     return html.escape(str(text), quote=True)
 

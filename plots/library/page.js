@@ -174,7 +174,7 @@ class DataTable {
       .map((pair) => ` --param ${quoted(decodeURIComponent(pair.replace(/%(?![0-7][0-9A-F])/g, "%25")))}`).join("");
     const template = this.templates[cells[this.template_column]] || this.templates[""];
     return template.replace(/\{([^{}]+?)( options)?\}/g,
-      (_, name, asOptions) => asOptions ? options(cells[name]) : cells[name]);
+      (_, name, asOptions) => asOptions ? options(cells[name] ?? "") : cells[name]);
   }
 }
 

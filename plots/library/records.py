@@ -21,6 +21,8 @@ TEXT_COLUMNS = (
     "optimum_note",
     "optimal",
 )
+NUMBER_COLUMNS = ("alpha_lower", "alpha_upper", "weight_upper", "wall_time_s", "stopped_early", "alpha_mean", "alpha_max")
+TIME_COLUMNS = ("wall_time_s", "cpu_time_s", "yardstick_time_s")
 CELL = ["family", "label", "n"]
 USUAL_FAMILIES = ("uniform", "normal", "clustered")  # what readers look for first, where a study has it
 OPTIMAL = 1 + 1e-9  # an alpha up to here is drawn and counted as optimal
@@ -38,16 +40,21 @@ class Results:
             sys.exit(f"{path}: no such file; make it with: {maker} {self.folder}")
         table = pd.read_csv(path, dtype={column: str for column in TEXT_COLUMNS}, low_memory=False)
         if "schema_version" in table and set(table["schema_version"]) - KNOWN_SCHEMAS:
-            sys.exit(f"{path}: a schema version that this script does not know")
+            sys.exit(f"{path}: a schema version that this script cannot read")
         for column in set(TEXT_COLUMNS) & set(table.columns):
             table[column] = table[column].fillna("")
+        for column in set(NUMBER_COLUMNS) & set(table.columns):
+            table[column] = table[column].astype(float)  # also where every field is empty
         return table
 
     @functools.cached_property
     def runs(self):
-        """All runs, rated by the tightest bounds in the records, with a `label` per algorithm and a `family` per generator:
-        names alone where the study has one configuration of it, with the parameters that differ otherwise."""
+        """All runs, rated by the tightest bounds in the records, those of other machines than `machine` without times, with a
+        `label` per algorithm and a `family` per generator: names alone where the study has one configuration of it, with the
+        parameters that differ otherwise."""
         runs = self._read("runs.csv")
+        elsewhere = self._machines(runs) != self.machine
+        runs.loc[elsewhere, [column for column in TIME_COLUMNS if column in runs]] = float("nan")
         runs["label"] = labels(runs["algorithm"], runs["params"])
         runs["family"] = labels(runs["generator"], runs["generator_params"])
         is_file = runs["generator"] == "file"
@@ -60,9 +67,29 @@ class Results:
         runs["optimal"] = runs["optimal"].fillna("")
         return runs
 
+    def _machines(self, runs):
+        """What ran each run: processor, CPUs, memory to the gigabyte, runs side by side."""
+        environments = self.environments.drop_duplicates("env_id").set_index("env_id")
+        described = environments[["cpu_model", "logical_cpus", "memory_bytes", "jobs"]].copy()
+        described["memory_bytes"] = (described["memory_bytes"] / 2**30).round()
+        names = described.astype(str).agg(", ".join, axis=1)
+        return runs["env_id"].map(names).fillna("unknown")
+
+    @functools.cached_property
+    def machine(self):
+        """The machine whose times are shown: that of most successful runs, as in `mwt report`."""
+        runs = self._read("runs.csv")
+        counts = self._machines(runs[runs["status"] == "ok"]).value_counts()
+        return min(counts[counts == counts.max()].index) if len(counts) else "unknown"
+
+    @functools.cached_property
+    def machine_count(self):
+        runs = self._read("runs.csv")
+        return self._machines(runs[runs["status"] == "ok"]).nunique()
+
     @functools.cached_property
     def finished(self):
-        """The runs with a checked triangulation that nothing cut short."""
+        """The runs with a checked triangulation that nothing stopped early."""
         return self.runs[(self.runs["status"] == "ok") & (self.runs["stopped_early"] == 0)]
 
     @functools.cached_property

@@ -21,6 +21,7 @@ OPTIMUM = "#9ad0f4"
 
 BLUE, SKY, GREEN, ORANGE = "#0072b2", "#56b4e9", "#009e73", "#e69f00"
 VERMILION, PINK, PURPLE, GREY = "#d55e00", "#cc79a7", "#7a5195", "#8a8a8a"
+BROWN, OLIVE = "#a6761d", "#7f8f00"
 
 # algorithm: (colour, marker, whether the marker is filled)
 ALGORITHMS = {
@@ -41,7 +42,7 @@ ALGORITHMS = {
     "two_chains": (GREY, "8", False),
     "exact": (INK, "*", True),
 }
-OTHERS = [(SKY, "p"), (PURPLE, "H"), (ORANGE, "8"), (BLUE, "<"), (VERMILION, ">"), (GREEN, "D"), (PINK, "s"), (GREY, "v")]
+OTHERS = [(BROWN, "p"), (OLIVE, "H"), (SKY, "p"), (PURPLE, "8"), (ORANGE, "<"), (BLUE, ">"), (VERMILION, "D"), (GREEN, "s")]
 LINES = ["-", "--", ":", "-."]
 FILLS = ["full", "left", "right", "top", "bottom"]  # of markers, for the variants of one algorithm
 

@@ -113,7 +113,8 @@ class Marking {
   }
 
   void look_at_the_clock() const {
-    if (context_.deadline_passed()) throw SearchStopped("the deadline passed while marking certain edges");
+    if (context_.deadline_passed())
+      throw SearchStopped(StopReason::deadline, "the deadline passed while marking certain edges");
   }
 
   // Every edge to a later point is certain until an edge yw between neighbours is found that crosses it.

@@ -181,10 +181,12 @@ CandidateBlocks DiamondTest::find_candidates(const Context& context) const {
   const std::size_t limit = std::max<std::size_t>(100'000'000, 64 * order_.points.size());
   std::atomic<std::size_t> total = 0;
   tbb::parallel_for(std::uint32_t{0}, blocks.first_block_node, [&](std::uint32_t block) {
-    if (context.deadline_passed()) throw SearchStopped("the deadline passed during the diamond test");
+    if (context.deadline_passed())
+      throw SearchStopped(StopReason::deadline, "the deadline passed during the diamond test");
     search_block(blocks, block);
     total += blocks.inner[block].size() + blocks.outer[block].size();
-    if (total > limit) throw SearchStopped("more than " + std::to_string(limit) + " edges pass the diamond test");
+    if (total > limit)
+      throw SearchStopped(StopReason::size, "more than " + std::to_string(limit) + " edges pass the diamond test");
   });
   return blocks;
 }

@@ -93,7 +93,8 @@ class LmtStage {
   }
 
   NodeResult process_block(std::uint32_t block) {
-    if (context_.deadline_passed()) throw SearchStopped("the deadline passed during the LMT stage");
+    if (context_.deadline_passed())
+      throw SearchStopped(StopReason::deadline, "the deadline passed during the LMT stage");
     const std::uint32_t node = blocks_.first_block_node + block;
     std::vector<std::uint32_t> arena = build_stars(node, block);
     NodeResult result;

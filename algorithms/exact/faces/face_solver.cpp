@@ -134,7 +134,9 @@ void FaceSolver::repair() {
   // A candidate that crosses a certain edge leads out of its face at both ends or breaks the face's polygon, so it is
   // found among the open ones.
   const auto crossing = find_crossing_candidates(graph_, open_candidates(), context_.deadline);
-  if (!crossing) throw SearchStopped("the deadline passed before the faces were known", simple_lower_bound());
+  if (!crossing) {
+    throw SearchStopped(StopReason::deadline, "the deadline passed before the faces were known", simple_lower_bound());
+  }
   if (crossing->empty()) return;
   const auto start_of = [&](const Walk& walk) { return Edge{walk.back().vertex, graph_.target[walk.back().halfedge]}; };
   std::vector<std::vector<Edge>> composite(parts_.size());
@@ -284,7 +286,7 @@ void FaceSolver::solve_regions() {
       [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
           const bool is_late = i < late_regions_ || context_.deadline_passed();
-          regions_[i] = is_late ? leave_unsolved(graph_.points, regions[i])
+          regions_[i] = is_late ? leave_unsolved(graph_.points, regions[i], StopReason::deadline)
                                 : solve_region(graph_.points, regions[i], context_.deadline);
           progress.advance();
         }
@@ -331,6 +333,7 @@ void FaceSolver::assemble(FaceSolution& solution) {
     solution.programs += region.programs;
     solution.branchings += region.branchings;
     solution.unsolved_faces += region.solved ? 0 : 1;
+    solution.stop_reason = combined(solution.stop_reason, region.stop_reason);
   }
   solution.faces += regions_.size();
   solution.faces_with_holes = regions_.size() - late_regions_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algorithms/algorithm.h"
@@ -24,7 +25,8 @@ struct FaceSolution {
   std::uint64_t faces_with_holes = 0;     ///< or isolated vertices
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
-  std::uint64_t unsolved_faces = 0;  ///< cut short by a limit; each contributes its own lower bound
+  std::uint64_t unsolved_faces = 0;       ///< cut short by a limit; each contributes its own lower bound
+  std::optional<StopReason> stop_reason;  ///< of these faces
 };
 
 /// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). With one hole or

@@ -40,6 +40,7 @@ std::optional<RegionSolution> solve_by_cutting(Points points, const FaceRegion& 
     if (outcome == PolygonFaceOutcome::no_triangulation) continue;
     if (outcome == PolygonFaceOutcome::out_of_time && best) {
       best->lower_bound = lower_bound_of_diagonals(points, region);
+      best->stop_reason = StopReason::deadline;
       return best;
     }
     if (outcome != PolygonFaceOutcome::solved) return {};
@@ -66,6 +67,7 @@ RegionSolution solve_by_program(Points points, const FaceRegion& region, const L
   const double lower_bound = next_down(cover.optimum.lower - boundary_length(points, region).upper);
   result.lower_bound = std::max(lower_bound, lower_bound_of_diagonals(points, region));
   result.solved = cover.proved;
+  result.stop_reason = cover.stop_reason;
   result.programs = cover.programs;
   result.branchings = cover.branchings;
   return result;
@@ -161,7 +163,9 @@ class DividedRegion {
         result_.triangles.insert(result_.triangles.end(), found.triangles.begin(), found.triangles.end());
         break;
       case PolygonFaceOutcome::not_a_polygon: composite_.push_back(walk); break;
-      case PolygonFaceOutcome::out_of_time: add(leave_unsolved(graph_.points, make_region(graph_, {&walk}, {}))); break;
+      case PolygonFaceOutcome::out_of_time:
+        add(leave_unsolved(graph_.points, make_region(graph_, {&walk}, {}), StopReason::deadline));
+        break;
       case PolygonFaceOutcome::no_triangulation:
         throw std::logic_error("face region: a part has no triangulation by consistent triangles");
     }
@@ -172,6 +176,7 @@ class DividedRegion {
     result_.diagonals.add(part.diagonals);
     result_.lower_bound = next_down(result_.lower_bound + part.lower_bound);
     result_.solved = result_.solved && part.solved;
+    result_.stop_reason = combined(result_.stop_reason, part.stop_reason);
     result_.programs += part.programs;
     result_.branchings += part.branchings;
   }
@@ -188,11 +193,12 @@ class DividedRegion {
 
 }  // namespace
 
-RegionSolution leave_unsolved(Points points, const FaceRegion& region) {
+RegionSolution leave_unsolved(Points points, const FaceRegion& region, StopReason reason) {
   RegionSolution result;
   result.triangles = fill_region(points, region);
   result.diagonals = diagonals_length(points, region, result.triangles);
   result.lower_bound = lower_bound_of_diagonals(points, region);
+  result.stop_reason = reason;
   return result;
 }
 
@@ -202,7 +208,9 @@ RegionSolution solve_region(Points points, const FaceRegion& region, const Deadl
   }
   const LocalRegion local = make_local(points, region);
   const auto triangles = region_triangles(local.points, local.sides, kMaximumProgramTriangles, deadline);
-  if (!triangles) return leave_unsolved(points, region);
+  if (!triangles) {
+    return leave_unsolved(points, region, has_passed(deadline) ? StopReason::deadline : StopReason::size);
+  }
   const std::vector<Triangle> consistent = consistent_triangles(local.points, *triangles, local.boundary);
   if (auto solution = DividedRegion(local, consistent, deadline).solve()) {
     solution->triangles = local.in_instance(std::move(solution->triangles));

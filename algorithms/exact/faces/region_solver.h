@@ -3,19 +3,22 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "algorithms/deadline.h"
 #include "algorithms/exact/faces/face_region.h"
+#include "algorithms/stop_reason.h"
 #include "geometry/weight.h"
 
 namespace mwt {
 
 struct RegionSolution {
-  std::vector<Triangle> triangles;  ///< always a triangulation of the region
-  LengthSum diagonals;              ///< their total length, each once
-  double lower_bound = 0;           ///< certified, on that of any triangulation by candidates
-  bool solved = false;              ///< `triangles` is the best one, up to the interval between the two
+  std::vector<Triangle> triangles;        ///< always a triangulation of the region
+  LengthSum diagonals;                    ///< their total length, each once
+  double lower_bound = 0;                 ///< certified, on that of any triangulation by candidates
+  bool solved = false;                    ///< `triangles` is the best one, up to the interval between the two
+  std::optional<StopReason> stop_reason;  ///< why not, unless solved
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
 };
@@ -33,6 +36,6 @@ inline constexpr std::size_t kMaximumProgramTriangles = 4'000'000;
 [[nodiscard]] RegionSolution solve_region(Points points, const FaceRegion& region, const Deadline& deadline);
 
 /// The region filled with a constrained Delaunay triangulation and the simple lower bound.
-[[nodiscard]] RegionSolution leave_unsolved(Points points, const FaceRegion& region);
+[[nodiscard]] RegionSolution leave_unsolved(Points points, const FaceRegion& region, StopReason reason);
 
 }  // namespace mwt

@@ -1,0 +1,34 @@
+// The best triangulation that heuristics find in the time that is left: what an exact algorithm returns when something
+// stops it.
+#pragma once
+
+#include <optional>
+
+#include "algorithms/algorithm.h"
+
+namespace mwt {
+
+/// The lightest of these triangulations, made in this order:
+///   (1) that of `flip`;
+///   (2) `own`, a valid triangulation if given;
+///   (3) that of `patch`, which starts from `greedy` and is never heavier;
+///   (4) what patches make of `own`;
+///   (5) what patches make of (1), unless (3) is lighter than (1) and (2);
+/// all with default parameters. So without a deadline it is never heavier than `greedy`, `patch`, `flip` or `own`.
+///
+/// Stops at the deadline of `context` with the lightest so far; at least one Delaunay triangulation is made. Of
+/// triangulations whose certified weights have equal upper ends, the first.
+/// Preconditions: distinct points, not all collinear. O(n log n) in practice: about nine Delaunay triangulations.
+/// Deterministic, except for the deadline. Throws std::bad_alloc if there is not even memory for this.
+[[nodiscard]] Triangulation lightest_heuristic(Points points, const Context& context,
+                                               const std::optional<Triangulation>& own = {});
+
+/// When an exact algorithm that must end by `deadline` should leave its own work for lightest_heuristic() of n points:
+/// a quarter of the time before, or less if that is plenty.
+[[nodiscard]] Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n);
+
+/// The deadline for lightest_heuristic(): the given one, but .2 s from now at least, so that small
+/// instances get the benefit whatever the time limit was and whatever overran it.
+[[nodiscard]] Deadline deadline_of_heuristics(const Deadline& deadline);
+
+}  // namespace mwt

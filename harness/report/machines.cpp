@@ -1,0 +1,83 @@
+#include "harness/report/machines.h"
+
+#include <algorithm>
+#include <map>
+
+#include "harness/environment.h"
+#include "harness/text.h"
+
+namespace mwt {
+
+namespace {
+
+std::string name_of(const EnvironmentRecord& environment) {
+  const std::string machine = machine_of(environment);
+  const std::string name = machine.empty() ? "an unknown machine" : machine;
+  return environment.jobs == 1 ? name : name + ", " + std::to_string(environment.jobs) + " runs side by side";
+}
+
+std::string list_of(const std::map<std::string, std::size_t>& runs) {
+  std::vector<std::string> parts;
+  for (const auto& [name, count] : runs) parts.push_back(name + " (" + std::to_string(count) + " successful runs)");
+  return joined(parts, "; ");
+}
+
+void empty_times(RunRecord& run) {
+  run.wall_time_s.reset();
+  run.cpu_time_s.reset();
+  run.yardstick_time_s.reset();
+}
+
+class Machines {
+ public:
+  explicit Machines(const StudyRecords& records) {
+    for (const EnvironmentRecord& environment : records.environments) names_[environment.env_id] = name_of(environment);
+  }
+
+  [[nodiscard]] std::string of(const RunRecord& run) const {
+    const auto found = names_.find(run.env_id);
+    return found == names_.end() ? name_of({}) : found->second;
+  }
+
+ private:
+  std::map<std::string, std::string> names_;
+};
+
+using Counts = std::map<std::string, std::size_t>;  // successful runs
+
+std::string most_frequent(const Counts& counts) {
+  return std::max_element(counts.begin(), counts.end(),
+                          [](const auto& a, const auto& b) { return a.second < b.second; })
+      ->first;
+}
+
+}  // namespace
+
+std::vector<std::string> keep_times_of_one_machine(StudyRecords& records) {
+  const Machines machines(records);
+  Counts on_machine, by_build;
+  for (const RunRecord& run : records.runs) {
+    if (run.status == RunStatus::ok) ++on_machine[machines.of(run)];
+  }
+  if (on_machine.empty()) return {};
+  const std::string chosen = most_frequent(on_machine);
+  for (RunRecord& run : records.runs) {
+    if (machines.of(run) != chosen) {
+      empty_times(run);
+    } else if (run.status == RunStatus::ok) {
+      ++by_build["commit " + run.git_commit + ", program " + run.binary_sha256.substr(0, 10)];
+    }
+  }
+  std::vector<std::string> warnings;
+  if (on_machine.size() > 1) {
+    warnings.push_back("runs of " + std::to_string(on_machine.size()) + " machines: " + list_of(on_machine) +
+                       "; all times here are those of " + chosen + " alone");
+  }
+  if (by_build.size() > 1) {
+    warnings.push_back("runs of " + std::to_string(by_build.size()) +
+                       " builds of mwt, whose times are taken together: " + list_of(by_build));
+  }
+  return warnings;
+}
+
+}  // namespace mwt

@@ -1,0 +1,19 @@
+// Times of different machines say nothing together: a report's times are those of one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/study/results_folder.h"
+
+namespace mwt {
+
+/// Empties the times (wall, CPU, yardstick) of all runs but those of the machine that has most successful ones (of
+/// equal numbers the first by name). Runs side by side count as another machine: they disturb each other. Everything
+/// else about the runs stays.
+///
+/// Returns what the reader must be told, one line each; nothing if one machine and one build ran all of them. Runs of
+/// several builds are told, too; their times stay, for whoever resumed a study with another build wanted that.
+[[nodiscard]] std::vector<std::string> keep_times_of_one_machine(StudyRecords& records);
+
+}  // namespace mwt

@@ -1,0 +1,24 @@
+// How busy a machine was while a study ran on it, as its records tell.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "harness/tracking/result_set.h"
+
+namespace mwt {
+
+struct MachineState {
+  std::optional<double> load_before;  ///< load average when the study began
+  std::optional<double> cpu_share;    ///< of the time that runs of one thread took, the share that they had a CPU
+};
+
+[[nodiscard]] MachineState machine_state_of(const ResultSet& results);
+
+/// Whether other programs took part of the runs' time: they had a CPU for less than 95% of it.
+[[nodiscard]] bool is_busy(const MachineState& state);
+
+/// "0.14 before the study, its runs had the CPU 99% of the time".
+[[nodiscard]] std::string load_text(const MachineState& state);
+
+}  // namespace mwt
