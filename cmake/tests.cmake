@@ -30,10 +30,11 @@ mwt_add_tests(generators mwt_generators CGAL::CGAL)
 mwt_add_tests(algorithms mwt_algorithms mwt_generators)
 # Boost and JSON: to look at results with other eyes than the harness's own.
 mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json)
-# The harness's tests also run the program as its users do.
+# The harness's tests also run the programs as their users do.
 if(TARGET harness_test)
-  target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>")
-  add_dependencies(harness_test mwt)
+  target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>"
+                             MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
+  add_dependencies(harness_test mwt mwt_benchmark)
 endif()
 # What figures compute; the report's page, that of another study and the nights' dashboard, looked at in a headless Chromium.
 # Optimised builds only, for sanitizers have nothing to find in them.

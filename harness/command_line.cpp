@@ -123,9 +123,9 @@ void CommandOptions::option(const std::string& name, std::optional<Index>& value
   add_number(app_, name, help, kAll, [&value](Index given) { value = given; });
 }
 
-void CommandOptions::positive(const std::string& name, int& value, const std::string& help) {
-  constexpr NumberRange<int> kPositive{1, 1 << 20};
-  add_number(app_, name, help, kPositive, [&value](int given) { value = given; })->default_str(std::to_string(value));
+void CommandOptions::positive(const std::string& name, int& value, const std::string& help, int most) {
+  const NumberRange<int> range{1, most};
+  add_number(app_, name, help, range, [&value](int given) { value = given; })->default_str(std::to_string(value));
 }
 
 void CommandOptions::positive(const std::string& name, std::optional<double>& value, const std::string& help) {

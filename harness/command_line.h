@@ -26,6 +26,9 @@ enum ExitCode : int {
   kExitInterrupted = 130,
 };
 
+/// The most threads or processes that an option may ask for.
+inline constexpr int kMostWorkers = 1024;
+
 /// Declares what a command takes. Every `value` gets its value when the command line is parsed, before Command::run,
 /// and keeps its default if the option is not given.
 class CommandOptions {
@@ -44,10 +47,10 @@ class CommandOptions {
   void option(const std::string& name, std::optional<std::string>& value, const std::string& help);
 
   /// Numbers, all read by geometry/given_number.h: decimal, and within a range or an InputError. The first two have the
-  /// whole range of their type; `positive` is from 1 to about a million, or from 1e-9 to 1e9.
+  /// whole range of their type; `positive` is from 1 to `most`, or from 1e-9 to 1e9.
   void option(const std::string& name, std::uint64_t& value, const std::string& help);
   void option(const std::string& name, std::optional<Index>& value, const std::string& help);
-  void positive(const std::string& name, int& value, const std::string& help);
+  void positive(const std::string& name, int& value, const std::string& help, int most = 1 << 20);
   void positive(const std::string& name, std::optional<double>& value, const std::string& help);
 
   /// An option that may be given several times.

@@ -1,8 +1,10 @@
 #include <array>
 
 #include "harness/commands/commands.h"
+#include "harness/standard_streams.h"
 
 int main(int argument_count, char** arguments) {
+  mwt::open_closed_standard_streams();
   const std::array commands = {mwt::list_command(),  mwt::generate_command(), mwt::solve_command(),
                                mwt::check_command(), mwt::draw_command(),     mwt::run_command(),
                                mwt::merge_command(), mwt::report_command(),   mwt::compare_command(),

@@ -1,11 +1,11 @@
 #include "harness/records.h"
 
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
 #include "geometry/number_text.h"
+#include "geometry/text_lines.h"
 #include "harness/text.h"
 
 namespace mwt {
@@ -25,15 +25,17 @@ std::string to_text(const std::optional<Value>& value) {
   return value ? to_text(*value) : "";
 }
 
-template <class Number>
-void read_text(const std::string& text, Number& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) throw std::invalid_argument(text);
+template <class Whole>
+void read_text(const std::string& text, Whole& value) {
+  const std::optional<Whole> number = parse_whole_number<Whole>(text);
+  if (!number) throw std::invalid_argument(text);
+  value = *number;
 }
 // No measure is infinite or not a number: a field that says so is damaged.
 void read_text(const std::string& text, double& value) {
-  read_text<double>(text, value);
-  if (!std::isfinite(value)) throw std::invalid_argument(text);
+  const std::optional<double> number = parse_number(text);
+  if (!number || !std::isfinite(*number)) throw std::invalid_argument(text);
+  value = *number;
 }
 void read_text(const std::string& text, std::string& value) { value = text; }
 void read_text(const std::string& text, bool& value) {
@@ -62,6 +64,19 @@ Column<Record> column(std::string name, Value Record::*member) {
           [member](Record& record, const std::string& text) { read_text(text, record.*member); }};
 }
 
+bool is_time(double seconds) { return seconds >= 0; }
+bool is_time(const std::optional<double>& seconds) { return !seconds || is_time(*seconds); }
+
+template <class Record, class Seconds>
+Column<Record> time_column(std::string name, Seconds Record::*member) {
+  Column<Record> result = column(std::move(name), member);
+  result.read = [member, read = result.read](Record& record, const std::string& text) {
+    read(record, text);
+    if (!is_time(record.*member)) throw std::invalid_argument(text);
+  };
+  return result;
+}
+
 }  // namespace
 
 const std::vector<Column<RunRecord>>& run_columns() {
@@ -83,13 +98,13 @@ const std::vector<Column<RunRecord>>& run_columns() {
       column("instance_id", &R::instance_id),
       column("repetition", &R::repetition),
       column("threads", &R::threads),
-      column("time_limit_s", &R::time_limit_s),
+      time_column("time_limit_s", &R::time_limit_s),
       column("memory_limit_bytes", &R::memory_limit_bytes),
       column("status", &R::status),
       column("checker", &R::checker),
       column("message", &R::message),
-      column("wall_time_s", &R::wall_time_s),
-      column("cpu_time_s", &R::cpu_time_s),
+      time_column("wall_time_s", &R::wall_time_s),
+      time_column("cpu_time_s", &R::cpu_time_s),
       column("iterations", &R::iterations),
       column("peak_rss_bytes", &R::peak_rss_bytes),
       column("weight_lower", &R::weight_lower),
@@ -108,7 +123,7 @@ const std::vector<Column<RunRecord>>& run_columns() {
       column("triangulation_count", &R::triangulation_count),
       column("phases", &R::phases),
       column("counters", &R::counters),
-      column("yardstick_time_s", &R::yardstick_time_s),
+      time_column("yardstick_time_s", &R::yardstick_time_s),
       column("stop_reason", &R::stop_reason),
   };
   return columns;
@@ -133,7 +148,7 @@ const std::vector<Column<InstanceRecord>>& instance_columns() {
       column("optimum_upper", &R::optimum_upper),
       column("optimality", &R::optimality),
       column("optimum_source", &R::optimum_source),
-      column("optimum_time_s", &R::optimum_time_s),
+      time_column("optimum_time_s", &R::optimum_time_s),
       column("optimum_note", &R::optimum_note),
   };
   return columns;
@@ -167,15 +182,33 @@ const std::vector<Column<EnvironmentRecord>>& environment_columns() {
 }
 
 template <class Record>
-std::optional<Record> from_row(const std::vector<Column<Record>>& columns, const CsvRow& row) {
-  if (row.size() != columns.size()) return std::nullopt;
+Record record_of(const std::vector<Column<Record>>& columns, const CsvRow& row) {
+  if (row.size() != columns.size()) {
+    throw std::invalid_argument(std::to_string(row.size()) + " fields where there should be " +
+                                std::to_string(columns.size()));
+  }
   Record record;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    try {
+      columns[i].read(record, row[i]);
+    } catch (const std::invalid_argument&) {
+      throw std::invalid_argument(shown(row[i]) + " is no " + columns[i].name);
+    }
+  }
+  return record;
+}
+
+template RunRecord record_of(const std::vector<Column<RunRecord>>&, const CsvRow&);
+template InstanceRecord record_of(const std::vector<Column<InstanceRecord>>&, const CsvRow&);
+template EnvironmentRecord record_of(const std::vector<Column<EnvironmentRecord>>&, const CsvRow&);
+
+template <class Record>
+std::optional<Record> from_row(const std::vector<Column<Record>>& columns, const CsvRow& row) {
   try {
-    for (std::size_t i = 0; i < columns.size(); ++i) columns[i].read(record, row[i]);
+    return record_of(columns, row);
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
-  return record;
 }
 
 template std::optional<RunRecord> from_row(const std::vector<Column<RunRecord>>&, const CsvRow&);

@@ -125,7 +125,8 @@ template <class Record>
 struct Column {
   std::string name;
   std::function<std::string(const Record&)> text_of;
-  std::function<void(Record&, const std::string&)> read;  ///< throws std::invalid_argument on malformed text
+  std::function<void(Record&, const std::string&)> read;  ///< throws std::invalid_argument on malformed text, NaN
+                                                          ///< and times that are none
 };
 
 [[nodiscard]] const std::vector<Column<RunRecord>>& run_columns();
@@ -146,7 +147,12 @@ template <class Record>
   return row;
 }
 
-/// The record of a row; nothing if the row has another number of fields or a malformed one.
+/// The record of a row. Throws std::invalid_argument "'nan' is no wall_time_s" if the row has a malformed field, or
+/// another number of fields than columns.
+template <class Record>
+[[nodiscard]] Record record_of(const std::vector<Column<Record>>& columns, const CsvRow& row);
+
+/// The same, or nothing.
 template <class Record>
 [[nodiscard]] std::optional<Record> from_row(const std::vector<Column<Record>>& columns, const CsvRow& row);
 

@@ -3,24 +3,35 @@
 // Two flags of its own: --largest_n=10000000, up to how many points (a million unless told), and --threads=2 (one
 // unless told), which algorithms that use threads may use. Counters: over_yardstick = median processor time (of several
 // threads: wall time) / median of seven Delaunay triangulations of the same points by CGAL, measured in turns with the
+<<<<<<< HEAD
+// algorithm; alpha_lower, alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own stages in its last
+// iteration (in CSV these are in the column `label`: see csv_reporter.h).
+=======
 // algorithm; stopped_early, 1 if something stopped the algorithm (the
 // label says what), else 0; alpha_lower, alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own
 // stages in its last iteration.
+>>>>>>> main
 #include <benchmark/benchmark.h>
 
-#include <charconv>
+#include <cctype>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
-#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "geometry/cpu_clock.h"
+#include "geometry/error.h"
+#include "geometry/given_number.h"
+#include "harness/benchmark/csv_reporter.h"
 #include "harness/benchmark/prepared_cell.h"
 #include "harness/build_info.h"
+#include "harness/command_line.h"
+#include "harness/standard_streams.h"
 
 namespace mwt {
 
@@ -81,8 +92,8 @@ struct Flags {
   Index threads = 1;
 };
 
-// Takes --largest_n=N and --threads=T out of the arguments; nothing if one has no positive number.
-std::optional<Flags> take_flags(int& argument_count, char** arguments) {
+// Takes --largest_n=N and --threads=T out of the arguments. Throws InputError: one has no number of its range.
+Flags take_flags(int& argument_count, char** arguments) {
   Flags flags;
   int kept = 1;
   for (int i = 1; i < argument_count; ++i) {
@@ -96,11 +107,24 @@ std::optional<Flags> take_flags(int& argument_count, char** arguments) {
       continue;
     }
     const std::string_view text = argument.substr(argument.find('=') + 1);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), *number);
-    if (error != std::errc() || end != text.data() + text.size() || *number == 0) return std::nullopt;
+    *number = given_number<Index>(std::string(argument), text,
+                                  {1, number == &flags.threads ? Index{kMostWorkers} : kNoIndex - 1});
   }
   argument_count = kept;
   return flags;
+}
+
+// What a flag of Google Benchmark says: the last one given, else the environment.
+std::string value_of_flag(const std::string& name, int argument_count, char** arguments) {
+  std::string variable = name;
+  for (char& c : variable) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const char* in_environment = std::getenv(variable.c_str());
+  std::string value = in_environment == nullptr ? "" : in_environment;
+  const std::string start = "--" + name + '=';
+  for (const std::string_view argument : std::span(arguments, static_cast<std::size_t>(argument_count))) {
+    if (argument.starts_with(start)) value = argument.substr(start.size());
+  }
+  return value;
 }
 
 void register_all(const Catalogue& catalogue, const Flags& flags) {
@@ -113,23 +137,35 @@ void register_all(const Catalogue& catalogue, const Flags& flags) {
   }
 }
 
+int run_benchmarks(int argument_count, char** arguments) {
+  const Flags flags = take_flags(argument_count, arguments);
+  const bool prints_csv = value_of_flag("benchmark_format", argument_count, arguments) == "csv";
+  const bool has_file = !value_of_flag("benchmark_out", argument_count, arguments).empty();
+  const bool writes_csv = has_file && value_of_flag("benchmark_out_format", argument_count, arguments) == "csv";
+  benchmark::Initialize(&argument_count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(argument_count, arguments)) return kExitUserMistake;
+  const Catalogue catalogue = Catalogue::built_in();
+  register_all(catalogue, flags);
+  benchmark::AddCustomContext("git_commit", git_commit());
+  benchmark::AddCustomContext("compiler_flags", compiler_flags());
+  benchmark::AddCustomContext("threads", std::to_string(flags.threads));
+  const auto display = prints_csv ? make_csv_reporter() : nullptr;
+  const auto file = writes_csv ? make_csv_reporter() : nullptr;
+  benchmark::RunSpecifiedBenchmarks(display.get(), file.get());
+  benchmark::Shutdown();
+  return kExitOk;
+}
+
 }  // namespace
 
 }  // namespace mwt
 
 int main(int argument_count, char** arguments) {
-  const auto flags = mwt::take_flags(argument_count, arguments);
-  if (!flags) {
-    std::fputs("mwt_benchmark: --largest_n and --threads need a number, as in --largest_n=10000000\n", stderr);
-    return 2;
+  mwt::open_closed_standard_streams();
+  try {
+    return mwt::run_benchmarks(argument_count, arguments);
+  } catch (const mwt::InputError& mistake) {
+    std::fprintf(stderr, "mwt_benchmark: %s\n", mistake.what());
+    return mwt::kExitUserMistake;
   }
-  benchmark::Initialize(&argument_count, arguments);
-  if (benchmark::ReportUnrecognizedArguments(argument_count, arguments)) return 2;
-  const mwt::Catalogue catalogue = mwt::Catalogue::built_in();
-  mwt::register_all(catalogue, *flags);
-  benchmark::AddCustomContext("git_commit", mwt::git_commit());
-  benchmark::AddCustomContext("compiler_flags", mwt::compiler_flags());
-  benchmark::AddCustomContext("threads", std::to_string(flags->threads));
-  benchmark::RunSpecifiedBenchmarks();
-  benchmark::Shutdown();
 }

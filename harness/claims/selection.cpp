@@ -1,13 +1,13 @@
 #include "harness/claims/selection.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <numeric>
 #include <set>
 
+#include "geometry/number_text.h"
 #include "geometry/parameters.h"
 #include "harness/study/plan.h"
 #include "harness/text.h"
@@ -77,11 +77,8 @@ std::optional<std::string> named_value(std::string_view field, std::string_view 
 
 std::optional<double> named_number(std::string_view field, std::string_view name) {
   const std::optional<std::string> text = named_value(field, name);
-  if (!text) return std::nullopt;
-  double number = 0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), number);
-  if (error != std::errc() || end != text->data() + text->size()) return std::nullopt;
-  return number;
+  const std::optional<double> number = text ? parse_number(*text) : std::nullopt;
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 const RunRecord& worst(const Runs& runs) {

@@ -2,9 +2,10 @@
 #include "harness/claims/triangulation_numbers.h"
 
 #include <cmath>
-#include <cstdlib>
+#include <optional>
 #include <set>
 
+#include "geometry/number_text.h"
 #include "harness/claims/report_claims.h"
 #include "harness/text.h"
 
@@ -25,11 +26,13 @@ std::map<std::string, GrowthFactor> growth_factors(const Runs& runs, Index small
     std::set<Index> sizes;
     std::vector<Measurement> measurements;
     for (const RunRecord* run : of_family) {
-      if (run->n < smallest_n || !instances.insert(run->instance_id).second) continue;
+      const std::optional<double> count = parse_number(run->triangulation_count);
+      const bool can_be_fitted = count && *count > 0 && std::isfinite(*count);
+      if (run->n < smallest_n || !can_be_fitted || !instances.insert(run->instance_id).second) continue;
       growth.runs.push_back(run);
       sizes.insert(run->n);
       // A power law in exp(n) is an exponential one in n.
-      measurements.push_back({std::exp(run->n), std::strtod(run->triangulation_count.c_str(), nullptr)});
+      measurements.push_back({std::exp(run->n), *count});
     }
     if (sizes.size() < 3) continue;
     const Estimate slope = fit_power_law(measurements)->exponent;

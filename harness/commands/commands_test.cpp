@@ -7,6 +7,7 @@
 #include "algorithms/registry.h"
 #include "generators/registry.h"
 #include "harness/commands/commands_testing.h"
+#include "harness/text.h"
 
 namespace mwt {
 namespace {
@@ -32,6 +33,51 @@ TEST_F(Commands, MistakesOnTheCommandLine) {
   expect_mistake("generate report_example --n 11 -o p.txt", "10");
   expect_mistake("list cats", "known: algorithms, generators, studies");
   EXPECT_FALSE(exists("p.txt"));
+}
+
+TEST_F(Commands, NumbersAreDecimal) {
+  write("p.txt", "0 0\n1 0\n0 1\n");
+  const std::string hundred = mwt("generate uniform --n 100 --seed 8 -o -").output;
+  EXPECT_EQ(mwt("generate uniform --n 0100 --seed 08 -o -").output, hundred);
+  EXPECT_EQ(std::count(hundred.begin(), hundred.end(), '\n'), 100);
+  EXPECT_NE(mwt("generate uniform --n 100 --seed 18446744073709551615 -o -").output, hundred);
+  EXPECT_EQ(mwt("solve p.txt --algorithm patch --param k=08 --json").exit_code, 0);
+}
+
+TEST_F(Commands, NumbersOutOfRangeAreMistakes) {
+  write("p.txt", "0 0\n1 0\n0 1\n");
+  const std::vector<std::string> whole = {"generate uniform -o o.txt --n",
+                                          "generate uniform -o o.txt --n 5 --seed",
+                                          "solve p.txt --algorithm delaunay --threads",
+                                          "hunt --algorithm greedy --n 8 --evaluations",
+                                          "draw p.txt t.csv -o o.svg --width",
+                                          "run report --jobs",
+                                          "compare --repetitions"};
+  const std::vector<std::string> real = {"solve p.txt --algorithm delaunay --time-limit",
+                                         "hunt --algorithm greedy --n 8 --budget", "compare --threshold",
+                                         "history changes --least-change"};
+  const auto refused = [&](const std::string& command, const std::string& value) {
+    const std::string option = command.substr(command.rfind(' ') + 1);
+    expect_mistake(command + " '" + value + "'", option + " '" + value + "' is ");
+  };
+  for (const std::string& command : whole) {
+    for (const char* value : {"", "x", "-1", "1.5", "1e3", "0x10", "nan", "99999999999999999999", "1 "})
+      refused(command, value);
+  }
+  for (const std::string& command : real) {
+    for (const char* value : {"", "x", "-1", "0", "nan", "-nan", "inf", "1e999", "0x10", "1,5", "5s"})
+      refused(command, value);
+  }
+  EXPECT_FALSE(exists("o.txt"));
+}
+
+TEST_F(Commands, NumbersOfParametersAreHeldToTheirKind) {
+  for (const char* value : {"", "x", "1.5", "nan", "inf", "99999999999999999999", "-99999999999999999999"})
+    expect_mistake("generate clustered --n 9 -o o.txt --param clusters=" + std::string(value),
+                   "clusters=" + std::string(value) + " is ");
+  for (const char* value : {"", "x", "nan", "inf", "-inf", "1e999"})
+    expect_mistake("generate clustered --n 9 -o o.txt --param sigma=" + std::string(value),
+                   "sigma=" + std::string(value) + " is ");
 }
 
 TEST_F(Commands, UnusablePointFiles) {
@@ -127,6 +173,34 @@ TEST_F(Commands, CheckSaysWhichRuleBroke) {
   EXPECT_EQ(range.exit_code, 1);
   EXPECT_NE(range.output.find("corner 9"), std::string::npos) << range.output;
   expect_mistake("check p.txt words.csv", "words.csv:2");
+}
+
+TEST_F(Commands, AOneBasedTriangleFileGetsTheSameWordsEverywhere) {
+  write("p.txt", "0 0\n1 0\n1 1\n0 1\n");
+  write("t.csv", "a,b,c\n1,2,3\n1,3,4\n");
+  const std::string words =
+      "indices_in_range: triangle 1 has corner 4, but points go from 0 to 3; the corners seem to count "
+      "from 1: subtract 1 from each";
+  EXPECT_EQ(mwt("check p.txt t.csv").output, "invalid: " + words + "\n");
+  expect_mistake("draw p.txt t.csv -o o.svg", "t.csv: not a triangulation of these points: " + words);
+  expect_mistake("draw p.txt t.csv t.csv -o o.svg", words);
+  expect_mistake("solve p.txt --algorithm flip --param start=t.csv",
+                 "t.csv: not a triangulation of these points: " + words);
+  write("r.csv", "a,b,c\n0,1,2\n0,2,9\n");
+  expect_mistake("draw p.txt r.csv -o o.svg", "triangle 1 has corner 9, but points go from 0 to 3\n");
+}
+
+TEST_F(Commands, ListsFitTheirWidth) {
+  const auto widest = [&](const std::string& width) {
+    std::size_t most = 0;
+    EXPECT_EQ(shell("COLUMNS=" + width + " " MWT_EXECUTABLE " list algorithms >.out"), 0);
+    for (const std::string& line : split(read(".out"), '\n')) most = std::max(most, line.size());
+    return most;
+  };
+  EXPECT_LE(widest("80"), 80U);
+  EXPECT_LE(widest("100"), 100U);
+  EXPECT_GT(widest(""), 200U) << "whole lines for pipes and files";
+  EXPECT_GT(widest("x"), 200U);
 }
 
 TEST_F(Commands, AClosedOrFullStandardOutputIsAMistake) {

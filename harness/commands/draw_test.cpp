@@ -59,7 +59,25 @@ TEST_F(Draw, MistakesLeaveNoPicture) {
   expect_mistake("draw p.txt a.csv bad.csv -o out.svg", "bad.csv: not a triangulation of these points");
   expect_mistake("draw p.txt a.csv", "--output is required");
   expect_mistake("draw p.txt missing.csv -o out.svg", "missing.csv");
+  expect_mistake("draw p.txt a.csv -o out.png",
+                 "out.png: a picture is written as SVG; give it a name that ends in .svg");
   EXPECT_FALSE(exists("out.svg"));
+}
+
+TEST_F(Draw, OverwritesNoInput) {
+  for (const char* file : {"p.txt", "a.csv", "./b.csv"}) {
+    const std::string before = read(file);
+    expect_mistake("draw p.txt a.csv b.csv -o " + std::string(file), "would overwrite the input (");
+    EXPECT_EQ(read(file), before);
+  }
+}
+
+TEST_F(Draw, APictureOnStandardOutputComesAlone) {
+  for (const char* output : {"-", "/dev/stdout"}) {
+    const std::string picture = run("draw p.txt a.csv -o " + std::string(output));
+    EXPECT_TRUE(picture.starts_with("<svg")) << picture;
+    EXPECT_TRUE(picture.ends_with("</svg>\n")) << picture;
+  }
 }
 
 }  // namespace

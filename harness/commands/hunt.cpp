@@ -133,7 +133,8 @@ Command hunt_command() {
     declared.option("--evaluations", options->evaluations,
                     "stop after so many per thread, 0: no limit; repeatable then");
     declared.option("--seed", options->seed, "seed of the search");
-    declared.positive("--threads", options->threads, "climbers side by side, each with its own random numbers");
+    declared.positive("--threads", options->threads, "climbers side by side, each with its own random numbers",
+                      kMostWorkers);
     declared.option("--solver", options->solver,
                     "exact algorithm for the optimum; the fastest for that n if not given");
     declared.option("-o,--output", options->output,

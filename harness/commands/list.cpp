@@ -7,6 +7,7 @@
 #include "harness/commands/commands.h"
 #include "harness/json_output.h"
 #include "harness/study/study.h"
+#include "harness/terminal.h"
 
 namespace mwt {
 
@@ -32,7 +33,7 @@ std::string readable_text(std::span<const AlgorithmInfo> algorithms) {
                    info.exactness == Exactness::exact ? "exact" : "heuristic", limit_text(info.largest_n), info.time,
                    info.summary});
   }
-  return table.text();
+  return table.text_within(output_width());
 }
 
 std::string readable_text(std::span<const GeneratorInfo> generators) {
@@ -42,13 +43,13 @@ std::string readable_text(std::span<const GeneratorInfo> generators) {
         info.fixed_n != 0 ? std::to_string(info.fixed_n) : ">= " + std::to_string(info.smallest_n);
     table.add_row({with_defaults(info.name, info.parameters), sizes, info.summary});
   }
-  return table.text();
+  return table.text_within(output_width());
 }
 
 std::string readable_text(std::span<const StudyEntry> studies) {
   AlignedTable table({"study", "what it is"}, {1});
   for (const StudyEntry& entry : studies) table.add_row({entry.name, entry.summary});
-  return table.text();
+  return table.text_within(output_width());
 }
 
 std::vector<StudyEntry> study_entries() {

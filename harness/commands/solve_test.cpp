@@ -97,6 +97,47 @@ TEST_F(Solve, WritesTrianglesEdgesAndAPicture) {
   EXPECT_NE(read("t.svg").find("<svg"), std::string::npos);
 }
 
+TEST_F(Solve, AFileOnStandardOutputComesAlone) {
+  write("p.txt", "0 0\n2 0\n2 2\n0 2\n");
+  run("solve p.txt --algorithm delaunay --triangles t.csv");
+  const testing::CommandResult result = mwt("solve p.txt --algorithm delaunay --triangles -");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output, read("t.csv"));
+  EXPECT_TRUE(result.errors.starts_with("algorithm")) << result.errors;
+  expect_mistake("solve p.txt --algorithm delaunay --json --edges -", "--json and --edges both go to standard output");
+  expect_mistake("solve p.txt --algorithm delaunay --svg - --triangles /dev/stdout", "both go to standard output");
+}
+
+TEST_F(Solve, OutputsOverwriteNeitherInputsNorEachOther) {
+  const std::string points = "0 0\n4 0\n5 1\n0 1\n", start = "0,1,2\n0,2,3\n";
+  write("p.txt", points);
+  write("s.csv", start);
+  std::filesystem::create_symlink("p.txt", path("link.txt"));
+  const std::string solve = "solve p.txt --algorithm flip --param start=s.csv ";
+  expect_mistake(solve + "--triangles p.txt", "--triangles p.txt would overwrite the input (p.txt); give another name");
+  expect_mistake(solve + "--triangles link.txt", "would overwrite the input (p.txt)");
+  expect_mistake(solve + "--edges ./s.csv", "--edges ./s.csv would overwrite the input (s.csv)");
+  expect_mistake(solve + "--triangles t.csv --edges ./t.csv", "--triangles and --edges both name ./t.csv");
+  EXPECT_EQ(shell(MWT_EXECUTABLE " solve - --algorithm delaunay --triangles p.txt <p.txt 2>.err"), 2);
+  EXPECT_NE(read(".err").find("would overwrite the input (standard input)"), std::string::npos) << read(".err");
+  EXPECT_EQ(read("p.txt"), points);
+  EXPECT_EQ(read("s.csv"), start);
+  EXPECT_FALSE(exists("t.csv"));
+  run(solve + "--triangles /dev/null --edges /dev/null");
+}
+
+TEST_F(Solve, OutputsThatCannotBeWrittenAreNamedBeforeTheWork) {
+  run("generate uniform --n 1000000 -o p.txt");
+  const auto refused = [&](const std::string& output, const std::string& part) {
+    expect_mistake("solve p.txt --algorithm flip --param order=best " + output, part);
+  };
+  refused("--triangles no/t.csv", "no/t.csv: cannot be written: its folder does not exist");
+  refused("--triangles .", ".: cannot be written: it is a folder");
+  refused("--triangles ''", "the output file has an empty name");
+  refused("--svg o.png", "o.png: a picture is written as SVG");
+  refused("--edges o.json", "o.json: triangles and edges are written as CSV; give it a name that ends in .csv");
+}
+
 TEST_F(Solve, StartsFromAGivenTriangulation) {
   write("p.txt", "0 0\n4 0\n5 1\n0 1\n");
   write("start.csv", "0,1,2\n0,2,3\n");
@@ -155,6 +196,9 @@ TEST_F(Solve, AReportsTablesGoToAFileWhenAsked) {
   const std::string verdicts = run("report records --tables tables.txt");
   EXPECT_TRUE(verdicts.starts_with("written: tables.txt\n")) << verdicts;
   EXPECT_EQ(read("tables.txt") + verdicts.substr(verdicts.find('\n') + 1), everything);
+  const std::string rows = read("records/runs.csv");
+  expect_mistake("report records --tables records/runs.csv", "would overwrite the input (records/runs.csv)");
+  EXPECT_EQ(read("records/runs.csv"), rows);
 }
 
 }  // namespace

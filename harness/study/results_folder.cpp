@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "geometry/error.h"
@@ -34,12 +35,12 @@ std::vector<Record> records_of(const std::vector<CsvRow>& rows, const std::vecto
                                const std::string& file) {
   std::vector<Record> records;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::optional<Record> record = from_row(columns, rows[i]);
-    if (!record) {
-      throw InputError(file + ":" + std::to_string(i + 2) +
-                       ": malformed row; mend it, or delete the line and let mwt run --resume run it again");
+    try {
+      records.push_back(record_of(columns, rows[i]));
+    } catch (const std::invalid_argument& mistake) {
+      throw InputError(file + ":" + std::to_string(i + 2) + ": malformed row: " + mistake.what() +
+                       "; mend it, or delete the line and let mwt run --resume run it again");
     }
-    records.push_back(*std::move(record));
   }
   return records;
 }
