@@ -329,6 +329,18 @@ TEST(Report, RunsSideBySideAreNotComparedWithOthers) {
   EXPECT_NE(keep_times_of_one_machine(records).at(0).find("Abacus, 2 runs side by side"), std::string::npos);
 }
 
+TEST(Report, ABusyMachineIsTold) {
+  StudyRecords records;
+  records.runs = power_law_runs();
+  for (RunRecord& run : records.runs) run.cpu_time_s = *run.wall_time_s;
+  EXPECT_TRUE(keep_times_of_one_machine(records).empty());
+  for (RunRecord& run : records.runs) *run.cpu_time_s /= 4;
+  EXPECT_EQ(
+      keep_times_of_one_machine(records),
+      std::vector<std::string>{"the machine was busy with other programs: the runs had the CPU 25% of the time; wall "
+                               "times are longer than on an idle one"});
+}
+
 TEST(Report, SeveralBuildsAreTold) {
   StudyRecords records;
   records.runs = power_law_runs();

@@ -65,6 +65,8 @@ bool has_cpu_times(const Runs& runs) {
   });
 }
 
+MachineState state_of(const ResultSet& results) { return machine_state_of(results.runs, results.environments); }
+
 std::string cell_label(const TrackedCell& cell) { return algorithm_label(cell) + " on " + instance_label(cell); }
 
 bool succeeded(const Runs& runs) {
@@ -228,9 +230,7 @@ class Comparer {
     comparison_.cells.insert(comparison_.cells.end(), table.cells.begin(), table.cells.end());
   }
 
-  void note_load() {
-    note("load: base " + load_text(machine_state_of(base_)) + "; new results " + load_text(machine_state_of(now_)));
-  }
+  void note_load() { note("load: base " + load_text(state_of(base_)) + "; new results " + load_text(state_of(now_))); }
 
   /// Of pairs everything can be told; of two folders nothing is excluded unless the machine was in the same state.
   Measuring measuring(bool has_yardstick) {
@@ -244,7 +244,7 @@ class Comparer {
   std::string difference_of_states(bool has_yardstick) const {
     if (!has_yardstick) return "nothing tells whether the machine was as fast both times";
     for (const ResultSet* side : {&base_, &now_}) {
-      if (is_busy(machine_state_of(*side))) return "the machine was busy with other programs";
+      if (is_busy(state_of(*side))) return "the machine was busy with other programs";
     }
     std::vector<double> log_ratios;
     for (const CommonCell& cell : common_) {

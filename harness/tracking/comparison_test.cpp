@@ -280,7 +280,7 @@ TEST(Compare, AnAlgorithmThatVanishedIsARegression) {
   const Comparison comparison = compare(results_of({}, 0), results_of(fewer, 1), {});
   EXPECT_TRUE(comparison.has_sure_regression());
   EXPECT_TRUE(comparison_text(comparison, false)
-                  .starts_with("1 regression (sweep on everywhere: has no runs any more; the base "
+                  .starts_with("1 regression (sweep on all instances: has no runs any more; the base "
                                "has 8 cells)"))
       << comparison_text(comparison, false);
   EXPECT_FALSE(compare(results_of(fewer, 0), results_of({}, 1), {}).has_sure_regression()) << "a new one";
