@@ -26,8 +26,8 @@ TEST_F(BenchmarkProgram, CsvHoldsAlgorithmsOfDifferentStages) {
     const std::vector<CsvRow> rows = parse_csv(read(".out"));
     ASSERT_GE(rows.size(), 9U);
     for (const CsvRow& row : rows) EXPECT_EQ(row.size(), rows.front().size());
-    EXPECT_EQ(CsvRow(rows.front().end() - 3, rows.front().end()),
-              (CsvRow{"alpha_lower", "alpha_upper", "over_yardstick"}));
+    EXPECT_EQ(CsvRow(rows.front().end() - 4, rows.front().end()),
+              (CsvRow{"alpha_lower", "alpha_upper", "over_yardstick", "stopped_early"}));
     EXPECT_EQ(read("o.csv"), read(".out"));
     for (const char* name : {"delaunay/uniform/10", "patch/circle/10", "polygon_dp/uniform/10", "exact/circle/10"}) {
       EXPECT_TRUE(std::ranges::any_of(rows, [&](const CsvRow& row) { return row.front().starts_with(name); })) << name;

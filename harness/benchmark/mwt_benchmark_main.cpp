@@ -3,14 +3,9 @@
 // Two flags of its own: --largest_n=10000000, up to how many points (a million unless told), and --threads=2 (one
 // unless told), which algorithms that use threads may use. Counters: over_yardstick = median processor time (of several
 // threads: wall time) / median of seven Delaunay triangulations of the same points by CGAL, measured in turns with the
-<<<<<<< HEAD
-// algorithm; alpha_lower, alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own stages in its last
-// iteration (in CSV these are in the column `label`: see csv_reporter.h).
-=======
-// algorithm; stopped_early, 1 if something stopped the algorithm (the
-// label says what), else 0; alpha_lower, alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own
-// stages in its last iteration.
->>>>>>> main
+// algorithm; stopped_early, 1 if something stopped the algorithm (the label says what), else 0; alpha_lower,
+// alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own stages in its last iteration (in CSV these
+// are in the column `label`: see csv_reporter.h).
 #include <benchmark/benchmark.h>
 
 #include <cctype>
