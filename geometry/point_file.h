@@ -1,11 +1,10 @@
 // Reading and writing point files; the format follows from the file's ending.
 //
-//   .txt .xy .csv   a point per line, "x y", "x,y", "x;y" or, with tabs, an empty cell between two tabs. `#` starts a
-//                   comment, quotes around cells are taken off. The first line may be a header: every cell begins with
-//                   a letter. If it names x and y ("x", "x [m]", "POINT_X"), these columns are read, in whatever order,
-//                   and all others ignored; if it names one of them only, it is refused. Without such names there are
-//                   two columns, or three of which the first is an id: integers counting up by one. JSON and TSPLIB
-//                   are read here, too.
+//   .txt .xy .csv   a point per line, "x y", "x,y", "x;y" or separated by tabs. `#` starts a comment, quotes around
+//                   cells are taken off. The first line may be a header: every cell begins with a letter. If it names x
+//                   and y ("x", "x [m]", "POINT_X"), these columns are read, in whatever order, and all others ignored;
+//                   if it names one of them only, it is refused. Without such names there are two columns, or three of
+//                   which the first is an id: integers counting up by one. JSON and TSPLIB are read here, too.
 //   .tsp            TSPLIB: the NODE_COORD_SECTION, or without one the DISPLAY_DATA_SECTION, of points in the plane, in
 //                   the order of the file. The coordinates are read as they stand whatever EDGE_WEIGHT_TYPE says: GEO
 //                   degrees, too, become plain x and y. Nodes may have names without blanks.

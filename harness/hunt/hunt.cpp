@@ -101,9 +101,19 @@ HuntResult result_of(const std::vector<ClimberState>& states) {
 std::vector<ClimberState> initial_states(const HuntPlan& plan, const std::string& state_file) {
   if (!std::filesystem::exists(state_file)) return std::vector<ClimberState>(static_cast<std::size_t>(plan.climbers));
   std::vector<ClimberState> states = read_hunt_state(state_file, plan.identity());
-  if (states.size() == static_cast<std::size_t>(plan.climbers)) return states;
-  throw InputError(state_file + ": state of a hunt with " + std::to_string(states.size()) + " climbers, not " +
-                   std::to_string(plan.climbers));
+  if (states.size() != static_cast<std::size_t>(plan.climbers)) {
+    throw InputError(state_file + ": state of a hunt with " + std::to_string(states.size()) + " climbers, not " +
+                     std::to_string(plan.climbers));
+  }
+  const auto fits = [&](const RatedInstance& instance) {
+    return instance.points.empty() || instance.points.size() == plan.n;
+  };
+  for (const ClimberState& state : states) {
+    if (!fits(state.current) || !fits(state.best))
+      throw InputError(state_file + ": has an instance of another size than n=" + std::to_string(plan.n) +
+                       "; delete the file to begin anew");
+  }
+  return states;
 }
 
 }  // namespace

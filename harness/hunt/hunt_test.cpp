@@ -119,6 +119,13 @@ TEST(Hunt, states_of_other_hunts_and_damaged_ones_are_refused) {
   EXPECT_THROW((void)run(plan_for("greedy", 6), 20, path), InputError);
   write_text(path, "");
   EXPECT_THROW((void)run(plan_for("greedy", 6), 20, path), InputError);
+  for (const char* count : {"nan", "inf", "-1", "1e300", "0.5", "9007199254740992"}) {
+    write_text(path, plan_for("greedy", 6).identity() + "\nclimbers " + count + "\n");
+    EXPECT_THROW((void)run(plan_for("greedy", 6), 20, path), InputError) << count;
+  }
+  const std::string two_points = "climber 1 1\ncurrent 1 2\n0 0\n1 1\nbest 1 2\n0 0\n1 1\nend\n";
+  write_text(path, plan_for("greedy", 6).identity() + "\nclimbers 1\n" + two_points);
+  EXPECT_THROW((void)run(plan_for("greedy", 6), 20, path), InputError);
 }
 
 TEST(Hunt, states_survive_the_file_exactly) {

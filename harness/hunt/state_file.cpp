@@ -1,5 +1,6 @@
 #include "harness/hunt/state_file.h"
 
+#include <cmath>
 #include <string_view>
 
 #include "geometry/error.h"
@@ -30,12 +31,12 @@ class StateReader {
       lines_.fail("state of another hunt; give another output file, or the options with which this one began: " +
                   std::string(lines_.line()));
     }
-    const auto count = static_cast<std::size_t>(numbers("climbers", 1)[0]);
-    std::vector<ClimberState> climbers(count);
-    for (ClimberState& climber : climbers) {
+    std::vector<ClimberState> climbers;
+    for (std::uint64_t left = count_of(numbers("climbers", 1)[0]); left > 0; --left) {
       const std::vector<double> steps = numbers("climber", 2);
-      climber.evaluations = static_cast<std::uint64_t>(steps[0]);
-      climber.last_progress = static_cast<std::uint64_t>(steps[1]);
+      ClimberState& climber = climbers.emplace_back();
+      climber.evaluations = count_of(steps[0]);
+      climber.last_progress = count_of(steps[1]);
       climber.current = rated_instance("current");
       climber.best = rated_instance("best");
     }
@@ -48,7 +49,7 @@ class StateReader {
     const std::vector<double> head = numbers(word, 2);
     RatedInstance instance;
     instance.alpha = head[0];
-    for (auto left = static_cast<std::size_t>(head[1]); left > 0; --left) {
+    for (std::uint64_t left = count_of(head[1]); left > 0; --left) {
       const std::vector<double> coordinates = numbers("", 2);
       instance.points.push_back({coordinates[0], coordinates[1]});
     }
@@ -64,13 +65,19 @@ class StateReader {
     std::vector<double> values;
     for (const std::string_view column : columns) {
       const std::optional<double> value = parse_number(column);
-      if (value) values.push_back(*value);
+      if (value && std::isfinite(*value)) values.push_back(*value);
     }
-    if (values.size() != columns.size() || values.size() != count) {
-      lines_.fail("not the state of a hunt; delete the file to begin anew");
-    }
+    if (values.size() != columns.size() || values.size() != count) refuse();
     return values;
   }
+
+  // Whole, and exact as a double.
+  std::uint64_t count_of(double number) const {
+    if (!(number >= 0 && number <= 0x1p53) || std::floor(number) != number) refuse();
+    return static_cast<std::uint64_t>(number);
+  }
+
+  [[noreturn]] void refuse() const { lines_.fail("not the state of a hunt; delete the file to begin anew"); }
 
   TextLines lines_;
 };
