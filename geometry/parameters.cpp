@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "geometry/error.h"
+#include "geometry/utf8.h"
 
 namespace mwt {
 
@@ -95,23 +96,6 @@ std::string Parameters::canonical() const {
 }
 
 namespace {
-
-// Bytes of the UTF-8 character at `position`, 1 to 4; 0 if there is none. Overlong forms count as characters: they do
-// no harm in a name.
-std::size_t utf8_length(std::string_view text, std::size_t position) {
-  const auto lead = static_cast<unsigned char>(text[position]);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xc2 ? 0
-                             : lead < 0xe0 ? 2
-                             : lead < 0xf0 ? 3
-                             : lead < 0xf5 ? 4
-                                           : 0;
-  if (position + length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((static_cast<unsigned char>(text[position + i]) & 0xc0) != 0x80) return 0;
-  }
-  return length;
-}
 
 void append_escaped(std::string& text, char c) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";

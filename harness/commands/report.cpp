@@ -18,6 +18,7 @@ struct Options {
 
 int report(const Options& options) {
   const ReportData data = read_report_data(options.folder);
+  for (const std::string& warning : data.records.warnings) std::cerr << "mwt: warning: " << warning << '\n';
   std::ostringstream tables;
   for (const ReportPart& part : report_tables()) part(data, tables);
   write_file_atomically(options.tables.value_or("-"), tables.str());
