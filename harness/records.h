@@ -170,7 +170,8 @@ template <class Record>
          " n=" + std::to_string(record.n) + " seed=" + std::to_string(record.seed);
 }
 
-/// "name=value name=value", values in their shortest form: phases and counters in one field.
+/// "name=value name=value", values in their shortest form: phases and counters in one field. Blanks in names become
+/// '_'.
 template <class NamedNumbers>
 [[nodiscard]] std::string named_numbers(const NamedNumbers& numbers);
 

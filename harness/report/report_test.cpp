@@ -192,6 +192,14 @@ TEST(Labels, FilesAreCalledByTheirNames) {
   EXPECT_EQ(Labels(cells).family(cells[0].key), "berlin52.tsp");
 }
 
+TEST(Labels, BlanksInNamesOfFilesAreShown) {
+  RunRecord run = ok_run("patch", 52, 1, 1, 1);
+  run.generator = "file";
+  run.generator_params = "file=my%20points.txt";
+  const std::vector<Cell> cells = cells_of({run});
+  EXPECT_EQ(Labels(cells).family(cells[0].key), "my points.txt");
+}
+
 TEST(FinalRating, WhatWasProvedLaterCountsForAll) {
   StudyRecords records;
   records.runs = {ok_run("sweep", 10, 1, 1, 2), ok_run("exact", 10, 1, 1, 1)};
