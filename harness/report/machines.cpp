@@ -79,7 +79,7 @@ std::vector<std::string> keep_times_of_one_machine(StudyRecords& records) {
                        " builds of mwt, whose times are taken together: " + list_of(by_build));
   }
   const MachineState state = machine_state_of(records.runs, {});
-  if (is_busy(state)) {
+  if (was_busy(state)) {
     warnings.push_back("the machine was busy with other programs: the runs had the CPU " +
                        fixed(100 * *state.cpu_share, 0) + "% of the time; wall times are longer than on an idle one");
   }

@@ -244,7 +244,8 @@ class Comparer {
   std::string difference_of_states(bool has_yardstick) const {
     if (!has_yardstick) return "nothing tells whether the machine was as fast both times";
     for (const ResultSet* side : {&base_, &now_}) {
-      if (is_busy(state_of(*side))) return "the machine was busy with other programs";
+      if (was_busy(state_of(*side))) return "the machine was busy with other programs";
+      if (!was_idle(state_of(*side))) return "no CPU times tell whether the machine was busy with other programs";
     }
     std::vector<double> log_ratios;
     for (const CommonCell& cell : common_) {
@@ -374,7 +375,9 @@ Comparison compare(const ResultSet& base, const ResultSet& now, const CompareOpt
                      now.folder + " of version " + std::to_string(now.schema_version) +
                      ": their columns need not mean the same; run the older study anew");
   }
-  return Comparer(base, now, options).compare();
+  if (base.has_ticking_clock == now.has_ticking_clock) return Comparer(base, now, options).compare();
+  // What one side was timed with must be what the other side was timed with.
+  return Comparer(without_short_cpu_times(base), without_short_cpu_times(now), options).compare();
 }
 
 }  // namespace mwt

@@ -336,6 +336,18 @@ TEST(Compare, FoldersOfABusyMachineExcludeNothing) {
   }
 }
 
+// Such a base is compared by wall times, on both sides.
+TEST(Compare, ABaseWhoseCpuClockTickedExcludesNothing) {
+  SyntheticStudy study = small_night();
+  study.noise = 0.002;
+  ResultSet base = results_of(study, 0), now = results_of(study, 1);
+  base.has_ticking_clock = true;
+  for (RunRecord& run : now.runs) *run.cpu_time_s /= 2;
+  const Comparison comparison = compare(base, now, {});
+  EXPECT_NEAR(row_of(comparison.algorithms, "flip").ratio.value, 1, 0.01);
+  EXPECT_EQ(comparison.outcome(), Outcome::unclear);
+}
+
 TEST(Compare, FoldersOfAMachineThatBecameSlowerExcludeNothing) {
   SyntheticStudy study = small_night();
   study.noise = 0.002;

@@ -26,7 +26,9 @@ MachineState machine_state_of(const std::vector<RunRecord>& runs, const std::vec
   return state;
 }
 
-bool is_busy(const MachineState& state) { return state.cpu_share && *state.cpu_share < kShareOfAnIdleMachine; }
+bool was_idle(const MachineState& state) { return state.cpu_share && *state.cpu_share >= kShareOfAnIdleMachine; }
+
+bool was_busy(const MachineState& state) { return state.cpu_share && *state.cpu_share < kShareOfAnIdleMachine; }
 
 std::string load_text(const MachineState& state) {
   const std::string before = state.load_before ? fixed(*state.load_before, 2) + " before the study" : "unknown";

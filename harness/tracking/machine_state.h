@@ -17,8 +17,9 @@ struct MachineState {
 [[nodiscard]] MachineState machine_state_of(const std::vector<RunRecord>& runs,
                                             const std::vector<EnvironmentRecord>& environments);
 
-/// Whether other programs took part of the runs' time: they had a CPU for less than 95% of it.
-[[nodiscard]] bool is_busy(const MachineState& state);
+/// Whether the runs had a CPU for at least 95% of their time, or surely for less. Neither where no CPU times tell.
+[[nodiscard]] bool was_idle(const MachineState& state);
+[[nodiscard]] bool was_busy(const MachineState& state);
 
 /// "0.14 before the study, its runs had the CPU 99% of the time".
 [[nodiscard]] std::string load_text(const MachineState& state);
