@@ -105,7 +105,8 @@ class Side {
     fs::remove_all(records);
     const int code = run_program({program_, "run", study_file, "--out", records.string(), "--no-cache"}, log);
     if (InterruptWatch::requested()) return;
-    const bool has_records = code == kExitOk || code == kExitNegative;  // a run that failed is a row, too
+    // A run that failed is a row, too.
+    const bool has_records = code == kExitOk || (code == kExitNegative && fs::exists(records / "runs.csv"));
     if (!has_records)
       throw InputError(program_ + ": exit code " + std::to_string(code) + ": " + end_of(read_file(log)));
     adopt(read_results(records.string()), repetition);
