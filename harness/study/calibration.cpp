@@ -111,7 +111,7 @@ class Calibration {
     while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(100));
     const bool at_limit = result.status == RunStatus::timeout || result.stopped_early.value_or(false);
     if (result.status == RunStatus::ok || at_limit) {
-      model_.add(item.cell, {result.wall_time_s.value_or(2 * kLimit), at_limit, false});
+      model_.add(item.cell, {undisturbed_time_s(result).value_or(2 * kLimit), at_limit, false});
     } else {
       model_.add(item.cell, {0, false, false});  // it will fail or be refused in the study as well
     }

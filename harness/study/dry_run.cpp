@@ -120,15 +120,17 @@ std::string estimate_text(const DurationEstimate& estimate) {
 DurationEstimate estimate(const Study& study, const Catalogue& catalogue, const Plan& plan, const RunOptions& options,
                           std::ostream& out) {
   TimeModel model;
+  const EnvironmentRecord here = describe_environment(study.name, 1, "");
   const std::string siblings = std::filesystem::path(options.folder).parent_path().string();
-  const PastTimes past = add_past_times(model, {options.folder, siblings.empty() ? "." : siblings, "results"},
-                                        describe_environment(study.name, 1, ""), study.threads);
+  const PastTimes past =
+      add_past_times(model, {options.folder, siblings.empty() ? "." : siblings, "results"}, here, study.threads);
   const std::vector<PlannedWork> work = planned_work(study, catalogue, plan);
   const auto begin = std::chrono::steady_clock::now();
   const std::size_t measured = calibrate(model, study, plan, work, kCalibrationTime);
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
   out << "estimated from " << past.runs << " recorded runs in " << past.folders << " folders of this machine and "
       << measured << " runs made just now in " << readable_duration(elapsed.count()) << '\n';
+  for (const std::string& warning : timing_warnings(here)) out << "warning: " << warning << '\n';
   return estimate_duration(study, plan, work, model);
 }
 
@@ -148,7 +150,7 @@ void dry_run(const Study& study, const Catalogue& catalogue, const RunOptions& o
   for (const std::string& note : plan.notes) out << "note: " << note << '\n';
   out << std::flush;
   const DurationEstimate duration = estimate(study, catalogue, plan, options, out);
-  out << "time, one run at a time: " << estimate_text(duration) << "nothing was recorded\n";
+  out << "time on an idle machine, one run at a time: " << estimate_text(duration) << "nothing was recorded\n";
 }
 
 }  // namespace mwt

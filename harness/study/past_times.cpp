@@ -49,9 +49,10 @@ std::set<std::string> environments_here(const StudyRecords& records, const Envir
 
 std::optional<TimeObservation> observed(const RunRecord& run) {
   if (run.status == RunStatus::timeout) return TimeObservation{run.time_limit_s, true, true};
-  if (!run.wall_time_s || !std::isfinite(*run.wall_time_s)) return std::nullopt;
+  const std::optional<double> seconds = undisturbed_time_s(run);
+  if (!seconds) return std::nullopt;
   const bool near_limit = *run.wall_time_s > kNearLimit * run.time_limit_s;
-  return TimeObservation{*run.wall_time_s, near_limit && run.stopped_early.value_or(false), true};
+  return TimeObservation{*seconds, near_limit && run.stopped_early.value_or(false), true};
 }
 
 // A search asks its first source, and the others only if that proves nothing.

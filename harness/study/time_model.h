@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "harness/records.h"
 
 namespace mwt {
 
@@ -38,10 +39,14 @@ struct TimePrediction {
 };
 
 struct TimeObservation {
-  double seconds = 0;
+  double seconds = 0;     ///< as on an idle machine: undisturbed_time_s()
   bool at_limit = false;  ///< the run was stopped, or stopped itself, at its time limit: it may take longer
   bool is_record = true;  ///< of a study; otherwise made to predict times
 };
+
+/// What a run would have taken on an idle machine: CPU time, if it had one thread and ran for long enough to share the
+/// CPU with other programs and for the ticks of CPU clocks not to matter. Nothing if it has no time.
+[[nodiscard]] std::optional<double> undisturbed_time_s(const RunRecord& run);
 
 /// Observed times, and what follows from them. Between two sizes and beyond the largest, time grows like a power of n
 /// (beyond: at least linearly); a family without observations is like the median of the others.

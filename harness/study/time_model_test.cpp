@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace mwt {
 namespace {
@@ -13,6 +14,22 @@ TimeModel quadratic_model() {
   TimeModel model;
   for (const Index n : {10U, 100U, 1000U}) model.add({"flip", "uniform", n}, {1e-6 * n * n, false, true});
   return model;
+}
+
+TEST(TimeModel, ABusyMachineDoesNotCount) {
+  RunRecord run;
+  EXPECT_FALSE(undisturbed_time_s(run));
+  run.wall_time_s = 8;
+  run.cpu_time_s = 2;
+  EXPECT_EQ(undisturbed_time_s(run), 2);
+  run.threads = 4;
+  EXPECT_EQ(undisturbed_time_s(run), 8) << "the CPU time of several threads";
+  run.threads = 1;
+  run.wall_time_s = 0.001;
+  run.cpu_time_s = 0;
+  EXPECT_EQ(undisturbed_time_s(run), 0.001) << "CPU clocks may tick too slowly";
+  run.wall_time_s = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(undisturbed_time_s(run));
 }
 
 TEST(TimeModel, NothingKnownMeansTheLimit) {
