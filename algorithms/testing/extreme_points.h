@@ -62,7 +62,9 @@ class ExtremePoints {
   }
 
   std::uint64_t below(std::uint64_t bound) { return random_() % bound; }
-  int exponent(int least, int most) { return least + static_cast<int>(below(static_cast<std::uint64_t>(most - least + 1))); }
+  int exponent(int least, int most) {
+    return least + static_cast<int>(below(static_cast<std::uint64_t>(most - least + 1)));
+  }
   // Half of them where differences of coordinates leave the range of floats, once the extent is scaled to theirs.
   int octaves(int most) { return below(2) == 0 ? exponent(100, 230) : exponent(0, most); }
   double unit() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
@@ -144,7 +146,10 @@ class ExtremePoints {
   std::vector<Point> far_away(std::size_t n) {
     const double offset = sign() * power(exponent(20, 54)), other_offset = below(2) == 0 ? 0 : offset;
     const double width = 3 + integer(6), height = power(-exponent(-3, 400));
-    return scaled(of_each(n, [&] { return Point{width * unit() + offset, height * unit() + other_offset}; }),
+    return scaled(of_each(n,
+                          [&] {
+                            return Point{width * unit() + offset, height * unit() + other_offset};
+                          }),
                   power(exponent(-900, 900)), 1);
   }
 
@@ -156,10 +161,11 @@ class ExtremePoints {
       for (std::uint64_t steps = below(3); steps > 0; --steps) x = std::nextafter(x, below(2) == 0 ? 10.0 : -10.0);
       return x;
     };
-    return scaled(of_each(n, [&] {
-                    const double t = below(2) == 0 ? integer(12) : unit();
-                    return Point{stepped(start + t * dx), stepped(1 + t * dy)};
-                  }),
+    return scaled(of_each(n,
+                          [&] {
+                            const double t = below(2) == 0 ? integer(12) : unit();
+                            return Point{stepped(start + t * dx), stepped(1 + t * dy)};
+                          }),
                   scale, scale);
   }
 
