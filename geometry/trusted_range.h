@@ -13,9 +13,9 @@ namespace mwt {
 /// the sum of the products' rounded magnitudes; NaN and infinity are not trusted.
 ///
 /// Eight products that underflow are off by 2^-1072 in all, less than 2^-141 of any trusted magnitude (1e-280 >
-/// 2^-931). The margins of all filters leave more room than that, those in double-double arithmetic (2^-95 and more)
-/// included: the bound that is stated there need not mention underflow. The remainder of such a product is exact as
-/// well.
+/// 2^-931). All margins leave far more room than that, the narrowest of doubles 2^-54, those of double-doubles 2^-97: a
+/// bound need not mention underflow. A single trusted product is exact with its remainder (exact_product() in
+/// double_double.h), whose last bit is at least 2^-1036.
 inline constexpr double kSmallestTrustedProduct = 1e-280;
 inline constexpr double kLargestTrustedProduct = 1e300;
 [[nodiscard]] constexpr bool is_trusted_product(double magnitude) {
