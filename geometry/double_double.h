@@ -2,7 +2,8 @@
 //
 // Error bounds are relative and hold for the non-negative numbers that lengths are: each operation below errs by at
 // most 2^-100 of its result (the textbook bounds are 2^-102 and better; see Joldes, Muller, Popescu, "Tight and
-// rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 2017).
+// rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS 2017). Products also err by
+// 2^-1074 where their low halves underflow: for results above 2^-970 that is within the bound.
 #pragma once
 
 #include <algorithm>
@@ -81,7 +82,8 @@ inline DoubleDouble& operator+=(DoubleDouble& a, const DoubleDouble& b) { return
 }
 
 /// The length of segment pq, relative error at most 8 * kDoubleDoubleError for all coordinates up to 2^1000 in
-/// magnitude: differences are exact, and squares are scaled so that they neither overflow nor underflow.
+/// magnitude: differences are exact, and squares are scaled so that they neither overflow nor underflow. Lengths below
+/// 2^-970 err by at most 2^-1074 besides, from scaling back.
 [[nodiscard]] inline DoubleDouble length(const Point& p, const Point& q) {
   DoubleDouble dx = exact_sum(p.x, -q.x);
   DoubleDouble dy = exact_sum(p.y, -q.y);
@@ -97,8 +99,9 @@ inline DoubleDouble& operator+=(DoubleDouble& a, const DoubleDouble& b) { return
 }
 
 /// The doubles around `value`, whose relative error is at most `relative_error`: kDoubleDoubleError times the number of
-/// operations, each length counted at least once. Below 2^-1022, where lengths err by up to one step of 2^-1074 however
-/// small they are, that number also bounds the steps.
+/// operations, each length counted at least once. As lengths err by up to one step of 2^-1074 however small they are,
+/// that number also bounds the steps. Precondition: relative_error <= 2^-54, so that the true value is no farther away
+/// than the double next to value.high.
 [[nodiscard]] inline Interval enclose(const DoubleDouble& value, double relative_error) {
   if (value.high == 0) return {};
   const double steps_slack = relative_error / kDoubleDoubleError * 0x1p-1074;

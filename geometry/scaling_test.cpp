@@ -29,6 +29,19 @@ TEST(Scaling, BringsExtremesNearOneWithoutLosingABit) {
   }
 }
 
+TEST(Scaling, BoundsAreRoundedOutwardsWhereTheyBecomeDenormal) {
+  constexpr double kStep = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(scaled_up({1.5, 2.5}, 10), (Interval{1536, 2560}));
+  EXPECT_EQ(scaled_up({4, 8}, -1074), (Interval{4 * kStep, 8 * kStep}));
+  for (const double value : {4.25, 4.5, 4.75}) {
+    const Interval bounds = scaled_up({value, value}, -1074);
+    EXPECT_LE(bounds.lower, 4 * kStep) << value;
+    EXPECT_GE(bounds.upper, 5 * kStep) << value;
+    EXPECT_LE(bounds.width(), 2 * kStep) << value;
+  }
+  EXPECT_EQ(scaled_up({1, 1}, 1024), (Interval{std::numeric_limits<double>::max(), HUGE_VAL}));
+}
+
 TEST(Scaling, IsGivenUpWhereBitsWouldBeLost) {
   EXPECT_EQ(exact_scale(std::vector<Point>{{1e300, 0}, {1e-20, 1}, {0, 1}}), 0);
   // 3 * 2^-1074 / 2^100 keeps neither of its two bits.

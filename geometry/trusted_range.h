@@ -12,9 +12,10 @@ namespace mwt {
 /// Sums of products of two differences of coordinates: squared lengths, orientations, scalar products. `magnitude` is
 /// the sum of the products' rounded magnitudes; NaN and infinity are not trusted.
 ///
-/// Eight products that underflow are off by 2^-1072 in all, less than 2^-141 of any trusted magnitude (1e-280 > 2^-931).
-/// The margins of all filters leave more room than that, those in double-double arithmetic (2^-95 and more) included:
-/// the bound that is stated there need not mention underflow. The remainder of such a product is exact as well.
+/// Eight products that underflow are off by 2^-1072 in all, less than 2^-141 of any trusted magnitude (1e-280 >
+/// 2^-931). All margins leave far more room than that, the narrowest of doubles 2^-54, those of double-doubles 2^-97: a
+/// bound need not mention underflow. A single trusted product is exact with its remainder (exact_product() in
+/// double_double.h), whose last bit is at least 2^-1036.
 inline constexpr double kSmallestTrustedProduct = 1e-280;
 inline constexpr double kLargestTrustedProduct = 1e300;
 [[nodiscard]] constexpr bool is_trusted_product(double magnitude) {
@@ -32,8 +33,8 @@ inline constexpr double kLargestTrustedFloat = 1e30;
   return square > kSmallestTrustedFloat && square < kLargestTrustedFloat;
 }
 
-/// Lengths and sums of lengths: above it, lengths that underflow to multiples of 2^-1074, up to 2^70 of them, are off by
-/// less than 2^-104 of the sum.
+/// Lengths and sums of lengths: above it, lengths that underflow to multiples of 2^-1074, up to 2^70 of them, are off
+/// by less than 2^-104 of the sum.
 inline constexpr double kSmallestTrustedLength = 0x1p-900;
 
 }  // namespace mwt

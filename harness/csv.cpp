@@ -22,7 +22,8 @@ constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   const bool is_full = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
   throw InputError(path + ": " + what + ": " + std::strerror(errno) +
-                   (is_full ? "; free some space and run again with --resume" : ""));
+                   (is_full ? "; free some space and run again with --resume"
+                            : "; mend that and run again with --resume, or choose another folder with --out"));
 }
 
 std::string quoted(const std::string& field) {

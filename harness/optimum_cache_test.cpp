@@ -1,10 +1,12 @@
 #include "harness/optimum_cache.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 
 #include "harness/folder_testing.h"
@@ -131,6 +133,66 @@ TEST_F(OptimumCacheTest, AnAlteredOrForeignFileIsNotTrusted) {
   std::filesystem::remove(file);
   std::filesystem::create_directory(file);
   EXPECT_FALSE(cache().find(kKey));
+}
+
+// A fifo in the place of an entry was opened for writing, and waited for a reader.
+TEST_F(OptimumCacheTest, WhateverIsInThePlaceOfAnEntryIsReplacedAndNeverWritten) {
+  cache().store(kKey, {kProved, 1});
+  const std::string file = only_file();
+  write_text(folder_.path("precious"), "x");
+  const std::vector<std::function<void()>> obstacles = {
+      [&] { ASSERT_EQ(mkfifo(file.c_str(), 0600), 0); },
+      [&] { std::filesystem::create_directory(file); },
+      [&] { std::filesystem::create_symlink("/dev/zero", file); },
+      [&] { std::filesystem::create_symlink(folder_.path("precious"), file); },
+      [&] { std::filesystem::create_symlink(folder_.path("nowhere"), file); },
+      [&] { std::filesystem::resize_file((write_text(file, "x"), file), std::uintmax_t{1} << 33); },
+  };
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    std::filesystem::remove(file);
+    obstacles[i]();
+    OptimumCache in_question = cache();
+    EXPECT_FALSE(in_question.find(kKey)) << i;
+    in_question.store(kKey, {kProved, 1});
+    EXPECT_TRUE(in_question.find(kKey)) << i;
+    EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(file))) << i;
+  }
+  EXPECT_EQ(read_text(folder_.path("precious")), "x");
+}
+
+TEST_F(OptimumCacheTest, AFullFolderInThePlaceOfAnEntryStopsNoOthers) {
+  cache().store(kKey, {kProved, 1});
+  const std::string file = only_file();
+  std::filesystem::remove(file);
+  std::filesystem::create_directories(file + "/x");
+  OptimumCache in_question = cache();
+  in_question.store(kKey, {kProved, 1});
+  OptimumKey other = kKey;
+  other.version = 2;
+  in_question.store(other, {kProved, 1});
+  EXPECT_TRUE(in_question.find(other));
+  EXPECT_EQ(warnings_.size(), 1u);
+}
+
+TEST_F(OptimumCacheTest, ThrowsOutWhatATriangulationDisproves) {
+  OptimumKey other_version = kKey;
+  other_version.version = 2;
+  OptimumKey other_solver = kKey;
+  other_solver.solver = "subset_dp";
+  OptimumKey other_instance = kKey;
+  other_instance.instance_id.back() = 'e';
+  OptimumCache in_question = cache();
+  in_question.store(kKey, {{71, 71}, 1});
+  in_question.store(other_version, {{72, 72}, 1});
+  in_question.store(other_solver, {kProved, 1});
+  in_question.store(other_instance, {{90, 90}, 1});
+  EXPECT_TRUE(in_question.discard_disproved(kKey.instance_id, 71).size() == 1u) << "71 allows 71";
+  EXPECT_TRUE(in_question.find(kKey));
+  EXPECT_EQ(in_question.discard_disproved(kKey.instance_id, kProved.upper), std::vector{in_question.path_of(kKey)});
+  EXPECT_FALSE(in_question.find(kKey));
+  EXPECT_FALSE(in_question.find(other_version));
+  EXPECT_TRUE(in_question.find(other_solver));
+  EXPECT_TRUE(in_question.find(other_instance));
 }
 
 TEST_F(OptimumCacheTest, AnUnusableFolderMeansNoCachingAndOneWarning) {

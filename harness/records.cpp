@@ -255,7 +255,11 @@ template std::optional<EnvironmentRecord> from_row(const std::vector<Column<Envi
 template <class NamedNumbers>
 std::string named_numbers(const NamedNumbers& numbers) {
   std::string text;
-  for (const auto& [name, value] : numbers) text += (text.empty() ? "" : " ") + name + '=' + number_text(value);
+  for (const auto& [name, value] : numbers) {
+    if (!text.empty()) text += ' ';
+    for (const char c : name) text += c == ' ' || c == '=' ? '_' : c;
+    text += '=' + number_text(value);
+  }
   return text;
 }
 

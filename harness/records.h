@@ -22,7 +22,7 @@ namespace mwt {
 inline constexpr int kSchemaVersion = 3;
 
 /// The columns that every runs.csv and environments.csv of this version begins with; those after them were added later.
-inline constexpr std::size_t kFirstRunColumns = 41;
+inline constexpr std::size_t kFirstRunColumns = 43;
 inline constexpr std::size_t kFirstEnvironmentColumns = 20;
 
 /// One repetition of one algorithm on one instance. Measures are empty unless the run came to have them.
@@ -176,7 +176,8 @@ template <class Record>
          " n=" + std::to_string(record.n) + " seed=" + std::to_string(record.seed);
 }
 
-/// "name=value name=value", values in their shortest form: phases and counters in one field.
+/// "name=value name=value", values in their shortest form: phases and counters in one field. Blanks in names become
+/// '_'.
 template <class NamedNumbers>
 [[nodiscard]] std::string named_numbers(const NamedNumbers& numbers);
 

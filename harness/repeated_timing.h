@@ -13,8 +13,9 @@ struct RepeatedTiming {
 };
 
 /// Times one execution of `work`. If that used less than `min_time_s` of CPU time, it was too short: more follow, in
-/// batches that use a fifth of min_time_s each. The first batch warms caches and the allocator; of the five after it the
-/// times are the medians of their means. Short interruptions by other programs spoil one batch or two, not the median.
+/// batches that use a fifth of min_time_s each. The first batch warms caches and the allocator; of the five after it
+/// the times are the medians of their means. Short interruptions by other programs spoil one batch or two, not the
+/// median.
 ///
 /// CPU time decides how often `work` is executed, for on a busy machine the wall time of a single short execution may
 /// be anything; work that does not use the CPU is repeated for ten times min_time_s of wall time at most (and at least

@@ -9,6 +9,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "geometry/unicode.h"
+
 namespace mwt {
 
 namespace {
@@ -44,12 +46,23 @@ std::string fixed(double value, int digits) {
   return {buffer, static_cast<std::size_t>(size)};
 }
 
+namespace {
+
+// 200 parts of which 60 make a whole: "3:20".
+std::string in_sixtieths(long long parts) {
+  const std::string rest = std::to_string(parts % 60);
+  return std::to_string(parts / 60) + ':' + (rest.size() < 2 ? "0" : "") + rest;
+}
+
+}  // namespace
+
 std::string readable_duration(double seconds) {
-  if (seconds >= 100) {
-    const auto whole = static_cast<long long>(std::llround(seconds));
-    const std::string rest = std::to_string(whole % 60);
-    return std::to_string(whole / 60) + ':' + (rest.size() < 2 ? "0" : "") + rest + " min";
-  }
+  constexpr double kMinute = 60;
+  constexpr double kHour = 60 * kMinute;
+  constexpr double kDay = 24 * kHour;
+  if (seconds >= 5 * kDay) return fixed(seconds / kDay, 0) + " days";
+  if (seconds >= 100 * kMinute) return in_sixtieths(std::llround(seconds / kMinute)) + " h";
+  if (seconds >= 100) return in_sixtieths(std::llround(seconds)) + " min";
   const auto three_digits = [](double value) { return fixed(value, value < 10 ? 2 : value < 100 ? 1 : 0); };
   if (seconds >= 1) return three_digits(seconds) + " s";
   if (seconds >= 1e-3) return three_digits(seconds * 1e3) + " ms";
@@ -65,9 +78,19 @@ std::string utc_now() {
 }
 
 std::string one_line(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::optional<Character> character = first_character(text.substr(i));
+    const std::size_t size = character ? character->size : 1;
+    const bool is_control = static_cast<unsigned char>(text[i]) < 0x20 || text[i] == 0x7f;
+    if (is_control) {
+      result += ' ';
+    } else if (!character) {
+      result += '?';
+    } else {
+      result.append(text, i, size);
+    }
+    i += size;
   }
   while (!result.empty() && result.back() == ' ') result.pop_back();
   return result;

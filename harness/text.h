@@ -10,14 +10,15 @@ namespace mwt {
 /// `value` with `digits` digits after the point, for tables.
 [[nodiscard]] std::string fixed(double value, int digits);
 
-/// A duration for tables and progress lines, in the largest unit that shows three digits: "12.3 us", "4.56 s", "3:20
-/// min".
+/// A duration for tables and progress lines, in the largest unit that shows about three digits: "12.3 us", "4.56 s",
+/// "3:20 min", "1:40 h", "38 days".
 [[nodiscard]] std::string readable_duration(double seconds);
 
 /// The current time as "2026-01-31T23:59:59Z".
 [[nodiscard]] std::string utc_now();
 
-/// `text` with every line break and control character replaced by a space: records and messages are one line each.
+/// `text` with every line break and control character replaced by a space, and every byte that is no UTF-8 by a
+/// question mark: records and messages are one line of text each.
 [[nodiscard]] std::string one_line(std::string_view text);
 
 /// The parts of `text` between occurrences of `separator`; one empty part for an empty text.

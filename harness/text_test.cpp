@@ -13,12 +13,15 @@ TEST(Text, DurationsTakeTheLargestUnitThatShowsThreeDigits) {
   EXPECT_EQ(readable_duration(12.34), "12.3 s");
   EXPECT_EQ(readable_duration(200), "3:20 min");
   EXPECT_EQ(readable_duration(3605), "60:05 min");
+  EXPECT_EQ(readable_duration(6000), "1:40 h");
+  EXPECT_EQ(readable_duration(75203.0 * 60), "52 days");
 }
 
 TEST(Text, OneLineKeepsEverythingButLineBreaks) {
   EXPECT_EQ(one_line("a\nb\r\nc\n"), "a b  c");
   EXPECT_EQ(one_line(""), "");
   EXPECT_EQ(one_line("\xc3\xa4 ok"), "\xc3\xa4 ok");
+  EXPECT_EQ(one_line("a\xff\xc3 b"), "a?? b");
 }
 
 TEST(Text, SplitAndJoinAreInverse) {

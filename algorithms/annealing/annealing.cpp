@@ -9,6 +9,7 @@
 #include "algorithms/mesh/distance.h"
 #include "algorithms/start/start.h"
 #include "geometry/error.h"
+#include "geometry/scaling.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -56,7 +57,8 @@ Solution run_annealing(Points points, Context& context) {
   const FlipResult flips = flip_to_local_optimum(mesh, FlipOrder::stack, context);
   Solution solution;
   solution.triangulation = mesh.triangulation();
-  if (weight(points, solution.triangulation).upper > weight(points, before).upper) solution.triangulation = before;
+  const std::vector<Point> scaled = exactly_scaled(points);  // whose lengths keep their digits
+  if (weight(scaled, solution.triangulation).upper > weight(scaled, before).upper) solution.triangulation = before;
   solution.counters = {{"proposals", static_cast<double>(options.proposals)},
                        {"accepted", static_cast<double>(result.accepted)},
                        {"flips", static_cast<double>(flips.flips)}};
@@ -106,6 +108,7 @@ AlgorithmInfo annealing_entry() {
   info.time = "O(1) per proposal";
   info.space = "O(n)";
   info.largest_n = 1'000'000;
+  info.version = 2;
   info.parameters = {
       {"proposals", ParameterType::integer, "0", "flips proposed; 0: 300 per point"},
       {"initial_temperature", ParameterType::real, "0.1", "in mean edge lengths of the start"},

@@ -219,6 +219,8 @@ std::vector<NamedInstance> middle_sized_instances() {
     append(instances, family, 3000, 1);
   }
   append(instances, "near_collinear", 100, 1);
+  append(instances, "near_collinear", 100, 1, {{"height", "3e-63"}});
+  append(instances, "log_radial", 60, 1, {{"octaves", "300"}});
   append(instances, "wheel", 25, 1);
   return instances;
 }

@@ -14,8 +14,8 @@ class CountedFlips {
   CountedFlips(PlanarMesh& mesh, const Context& context, bool with_trace)
       : mesh_(mesh), context_(context), with_trace_(with_trace) {}
 
-  /// To be called before every look at an edge; reads the clock the first time, and then now and then. So a search whose
-  /// start the deadline has cut short reports that it was stopped.
+  /// To be called before every look at an edge; reads the clock the first time, and then now and then. So a search
+  /// whose start the deadline has cut short reports that it was stopped.
   [[nodiscard]] bool out_of_time() {
     if (result_.tests++ % 4096 == 0 && context_.deadline_passed()) result_.stopped_early = true;
     return result_.stopped_early;

@@ -20,7 +20,8 @@ bool is_certainly_greedy(const PlanarMesh& mesh, MeshEdge e) {
   if (!(left.real > 0 && right.real > 0)) return false;  // acute: sums of three stay below a full turn
   const double both = size(left) * size(right);
   const Angle sum = left * right;
-  return is_trusted_factor(size(left)) && is_trusted_factor(size(right)) && surely_below_half_turn(sum * left, both * size(left)) &&
+  return is_trusted_factor(size(left)) && is_trusted_factor(size(right)) &&
+         surely_below_half_turn(sum * left, both * size(left)) &&
          surely_below_half_turn(sum * right, both * size(right));
 }
 

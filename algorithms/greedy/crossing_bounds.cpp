@@ -230,9 +230,9 @@ double CrossingBounds::beyond(Halfedge side, double squared) const {
 // Lowers the bounds of spokes, from `first` on, between what is in sight and something farther around.
 void CrossingBounds::look_past(const Sight& sight, Halfedge first, Turn turn) {
   collect_half_turn(sight, first, turn);
-  const bool trusted = is_trusted_product(sight.near.squared_length) &&
-                       std::all_of(spokes_.begin(), spokes_.end(),
-                                   [](const Spoke& s) { return is_trusted_product(s.squared_length); });
+  const bool trusted =
+      is_trusted_product(sight.near.squared_length) &&
+      std::all_of(spokes_.begin(), spokes_.end(), [](const Spoke& s) { return is_trusted_product(s.squared_length); });
   if (spokes_.size() > kLargeStar || !trusted) return give_up_star(first);
   double squared = kInfinite;
   for (std::size_t i = spokes_.size() - 1; i > 0; --i) {

@@ -6,6 +6,7 @@
 
 #include "algorithms/greedy/certified_edges.h"
 #include "algorithms/greedy/greedy_testing.h"
+#include "algorithms/testing/extreme_points.h"
 
 namespace mwt {
 
@@ -55,6 +56,25 @@ TEST(CrossingBounds, CertainEdgesAreGreedy) { EXPECT_GT(test::sum_over_instances
 
 TEST(CrossingBoundsSlow, CertainEdgesAreGreedyOnManyInstances) {
   EXPECT_GT(test::sum_over_instances(100, 120, expect_greedy), 100'000U);
+}
+
+std::size_t sum_over_extreme_points(std::uint64_t sets, std::size_t largest_n) {
+  std::size_t sum = 0;
+  for (std::uint64_t seed = 0; seed < sets; ++seed) {
+    const auto kind = static_cast<test::ExtremePoints::Kind>(seed % test::ExtremePoints::kKinds);
+    const std::size_t n = 5 + seed / test::ExtremePoints::kKinds % (largest_n - 4);
+    const std::vector<Point> points = test::ExtremePoints(seed).draw(kind, n);
+    const std::string name = "kind " + std::to_string(kind) + " seed " + std::to_string(seed);
+    if (!points.empty()) sum += expect_greedy(points, name);
+  }
+  return sum;
+}
+
+// Products of coordinates that underflow make no angle reflex and no bound too large.
+TEST(CrossingBounds, CertainEdgesAreGreedyAtTheLimitsOfDoubles) { EXPECT_GT(sum_over_extreme_points(1200, 20), 1000U); }
+
+TEST(CrossingBoundsSlow, CertainEdgesAreGreedyAtTheLimitsOfDoubles) {
+  EXPECT_GT(sum_over_extreme_points(20'000, 30), 100'000U);
 }
 
 TEST(CrossingBounds, CertainEdgesOfWheelsAreGreedy) {

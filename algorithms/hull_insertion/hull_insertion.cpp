@@ -104,6 +104,7 @@ AlgorithmInfo hull_insertion_entry() {
   info.time = "O(h^3 + n log^2 n)";
   info.space = "O(h^2 + n)";
   info.largest_n = 1'000'000;
+  info.version = 2;
   info.parameters = {{"order",
                       ParameterType::choice,
                       "index",

@@ -58,6 +58,15 @@ TEST(HullInsertion, TellsTheWeightOfTheHullsTriangulation) {
   EXPECT_NEAR(solution.counters.at("hull_weight"), 848.848, 5e-4);
 }
 
+// The counter was in the unit of the scaled points.
+TEST(HullInsertion, TellsTheWeightOfTheHullsTriangulationAtAllScales) {
+  for (const double scale : {0x1p-900, 0x1p900}) {
+    const std::vector<Point> points = test::scaled(hull_bound_counterexample_points(), scale, scale);
+    const Solution solution = test::solve_checked(hull_insertion_entry(), points);
+    EXPECT_NEAR(solution.counters.at("hull_weight") / scale, 848.848, 5e-4);
+  }
+}
+
 TEST(HullInsertion, OtherOrdersOfTheExampleGiveOtherWeights) {
   const std::vector<Point> points = test::report_example();
   const Solution by_x = test::solve_checked(hull_insertion_entry(), points, {{"order", "x"}});

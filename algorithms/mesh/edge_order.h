@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/double_double.h"
-#include "geometry/trusted_range.h"
 #include "geometry/triangulation.h"
+#include "geometry/trusted_range.h"
 
 namespace mwt {
 

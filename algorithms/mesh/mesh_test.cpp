@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
 #include "algorithms/mesh/delaunay_triangles.h"
+#include "algorithms/mesh/distance.h"
 #include "algorithms/mesh/edge_order.h"
 #include "algorithms/mesh/in_circle.h"
 #include "algorithms/mesh/planar_mesh.h"
@@ -67,6 +69,41 @@ TEST(FastInCircle, AgreesWithTheExactPredicate) {
       ASSERT_EQ(fast_in_circle(a, b, c, d), in_circle(a, b, c, d)) << shape.name;
     }
   }
+}
+
+// A coordinate of any magnitude, often one that another point has.
+double coordinate_of_any_magnitude(std::mt19937_64& random) {
+  const auto exponent = static_cast<int>(random() % 2050) - 1060;
+  return std::ldexp(static_cast<double>(random() % 4), exponent);
+}
+
+// Differences that scaling rounded to 0 were taken for exact zeros of the integer grid.
+TEST(FastInCircle, AgreesWithTheExactPredicateWhereDifferencesSpanAllMagnitudes) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 20'000; ++i) {
+    const double x = coordinate_of_any_magnitude(random), y = coordinate_of_any_magnitude(random);
+    const auto any = [&] {
+      return Point{x * static_cast<double>(random() % 4), y * static_cast<double>(random() % 4)};
+    };
+    Point a = any(), b = any();
+    const Point c = any(), d = any();
+    if (orientation(a, b, c) == 0) continue;
+    if (orientation(a, b, c) < 0) std::swap(a, b);
+    ASSERT_EQ(fast_in_circle(a, b, c, d), in_circle(a, b, c, d)) << x << ' ' << y;
+  }
+}
+
+// The square of the base of these triangles is denormal, so that it may be far too small.
+TEST(Distance, NoSegmentIsSurelyFartherThanItIs) {
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 20'000; ++i) {
+    const double distance = std::ldexp(1, static_cast<int>(random() % 600) - 200);
+    const double half = std::ldexp(1 + static_cast<double>(random() % 1000), -(500 + static_cast<int>(random() % 60)));
+    const double squared = distance * distance * (1 + 1e-9);
+    EXPECT_FALSE(is_surely_farther({0, 0}, {distance, -half}, {distance, half}, squared)) << distance << ' ' << half;
+    EXPECT_FALSE(is_surely_farther({0, 0}, {distance, half}, {distance, 3 * half}, squared)) << distance;
+  }
+  EXPECT_TRUE(is_surely_farther({0, 0}, {2, -1}, {2, 1}, 3.9));
 }
 
 TEST(DelaunayTriangles, HaveEmptyCirclesAndConsistentTwinsOnAllShapes) {

@@ -189,7 +189,7 @@ AlgorithmInfo patch_entry() {
       "never worse than its start: with start=greedy the O(sqrt n) of greedy (Levcopoulos, Krznaric 1998); optimal if "
       "one "
       "patch covers a convex polygon";
-  info.version = 2;
+  info.version = 3;
   info.time = "O(n k^3) per pass; a few passes in practice";
   info.space = "O(n + k^2)";
   info.largest_n = 10'000'000;

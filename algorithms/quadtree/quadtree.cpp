@@ -99,7 +99,7 @@ AlgorithmInfo quadtree_entry() {
   info.summary = "optimal in the leaves of a quadtree, merged by a constrained Delaunay triangulation";
   info.source = "source report, section 5.4";
   info.guarantee = "none known";
-  info.version = 2;
+  info.version = 3;
   info.time = "O(n log n)";
   info.space = "O(n)";
   info.largest_n = 1'000'000;

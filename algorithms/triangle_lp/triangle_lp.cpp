@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "algorithms/solve_scaled.h"
 #include "algorithms/triangle_lp/empty_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/convex_hull.h"
@@ -60,8 +61,9 @@ AlgorithmInfo triangle_lp_entry() {
   info.space = "O(n^3), O(n^2) for uniform points";
   info.exactness = Exactness::exact;
   info.largest_n = 150;
+  info.version = 2;
   info.parameters = {{"max_points", ParameterType::integer, "400", "largest number of points it takes"}};
-  info.function = solve_triangle_program;
+  info.function = [](Points points, Context& context) { return solve_scaled(points, context, solve_triangle_program); };
   return info;
 }
 

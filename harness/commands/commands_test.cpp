@@ -138,6 +138,18 @@ TEST_F(Commands, MistakesInStudies) {
   EXPECT_FALSE(exists("results"));
 }
 
+TEST_F(Commands, ARunWithFailuresEndsWithOne) {
+  write("start.csv", "0,1,2\n");
+  write("s.toml",
+        "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [8]\nmin_time_s = 0.001\n"
+        "algorithms = [\"delaunay\", { name = \"flip_report\", parameters = { start = \"start.csv\" } }]\n"
+        "[optimum]\nseek = false\n");
+  const CommandResult result = mwt("run s.toml");
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_NE(result.output.find("1 of 2 runs failed; the table above names them\n"), std::string::npos) << result.output;
+  EXPECT_EQ(result.errors, "");
+}
+
 TEST_F(Commands, HelpIsNoMistake) {
   EXPECT_EQ(mwt("--help").exit_code, 0);
   const CommandResult help = mwt("solve --help");

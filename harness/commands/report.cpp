@@ -33,6 +33,7 @@ void require_usable_output(const Options& options) {
 int report(const Options& options) {
   require_usable_output(options);
   const ReportData data = read_report_data(options.folder);
+  for (const std::string& warning : data.records.warnings) std::cerr << "mwt: warning: " << warning << '\n';
   std::ostringstream tables;
   for (const ReportPart& part : report_tables()) part(data, tables);
   write_file_atomically(options.tables.value_or("-"), tables.str());

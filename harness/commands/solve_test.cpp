@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "geometry/point_file.h"
 #include "harness/commands/commands_testing.h"
+#include "harness/optimum_cache.h"
+#include "harness/study/optimum_search.h"
 #include "harness/study/results_folder.h"
 
 namespace mwt {
 namespace {
+
+using testing::CommandResult;
 
 class Solve : public testing::CommandTest {
  protected:
@@ -183,8 +188,60 @@ families = ["uniform"]
 sizes = [8]
 algorithms = [{ name = "flip_report", parameters = { start = "start.csv" } }]
 )");
-  const std::string output = run("run broken.toml --quiet");
-  EXPECT_NE(output.find("\nflip_report  error     1  uniform n=8 seed=1  no start: "), std::string::npos) << output;
+  for (const char* command : {"run broken.toml --quiet", "run broken.toml --quiet --resume"}) {
+    const CommandResult result = mwt(command);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.output.find("start=start.csv  error     1  uniform n=8 seed=1  no start: "), std::string::npos)
+        << result.output;
+    EXPECT_NE(result.output.find("1 of 1 runs failed"), std::string::npos);
+  }
+}
+
+// Entries of the optimum cache that pass every check and are wrong.
+class SolveWithWrongCache : public Solve {
+ protected:
+  SolveWithWrongCache() {
+    run("generate uniform --n 20 -o p.txt");
+    const AlgorithmInfo& exact = Catalogue::built_in().algorithm("exact");
+    const std::string id = make_instance(read_points(path("p.txt")), "p.txt").id;
+    key_ = optimum_key(id, exact, Parameters(exact.name, exact.parameters, {}));
+  }
+
+  void store(double factor) {
+    const double right = json_of("solve p.txt --algorithm exact --no-cache")["weight_upper"];
+    cache_.store(key_, {{factor * right, factor * right}, 1});
+  }
+
+  [[nodiscard]] double cached_upper() {
+    const std::optional<CachedOptimum> entry = cache_.find(key_);
+    return entry ? entry->interval.upper : 0;
+  }
+
+  OptimumCache cache_{path("optima"), [](const std::string&) {}};
+  OptimumKey key_;
+};
+
+TEST_F(SolveWithWrongCache, ALighterTriangulationThrowsTheEntryOut) {
+  for (const char* algorithm : {"greedy", "exact"}) {
+    store(1.5);
+    const CommandResult result = mwt(std::string("solve p.txt --with-optimum --json --algorithm ") + algorithm);
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.errors.find("CONTRADICTION: exact (optimum cache) certified"), std::string::npos) << result.errors;
+    const nlohmann::json report = nlohmann::json::parse(result.output);
+    EXPECT_EQ(report["optimality"], "proved");
+    EXPECT_FALSE(report["optimum_cached"]);
+    EXPECT_EQ(cached_upper(), report["optimum_upper"].get<double>()) << algorithm;
+    EXPECT_EQ(mwt(std::string("solve p.txt --with-optimum --algorithm ") + algorithm).errors, "");
+  }
+}
+
+TEST_F(SolveWithWrongCache, AnEntryBelowWhatASolverCertifiesIsAFailure) {
+  store(0.5);
+  const CommandResult result = mwt("solve p.txt --with-optimum --json --algorithm exact");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.errors.find("mwt: internal failure: CONTRADICTION: exact certified"), std::string::npos)
+      << result.errors;
+  EXPECT_TRUE(nlohmann::json::parse(result.output)["valid"]) << "the triangulation is good all the same";
 }
 
 TEST_F(Solve, AReportsTablesGoToAFileWhenAsked) {

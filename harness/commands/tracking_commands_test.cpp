@@ -73,6 +73,22 @@ TEST_F(TrackingCommands, TwoBuildsAreRunInTurn) {
   expect_mistake(builds + " --study s.toml --out other --algorithm greedy", "has no algorithm 'greedy'");
 }
 
+// They used to be left out, and could never be settled.
+TEST_F(TrackingCommands, PointFilesAndStartsAreRunInTurnToo) {
+  write("p[1].txt", "0 0\n4 0\n4.5 3\n0 3\n");
+  write("start.csv", "0,1,2\n0,2,3\n");
+  write("s.toml",
+        "name = \"s\"\nsummary = \"x\"\nalgorithms = [\"delaunay\", { name = \"flip_report\", parameters = { start = "
+        "\"start.csv\" } }]\nmin_time_s = 0.0001\n[instances]\nfolder = \".\"\nfiles = [\"*.txt\"]\n");
+  const CommandResult result = mwt("compare --build-a " MWT_EXECUTABLE " --build-b " MWT_EXECUTABLE
+                                   " --study s.toml --out ab --repetitions 1 --json");
+  ASSERT_EQ(result.exit_code, 0) << result.errors;
+  const auto json = nlohmann::json::parse(result.output);
+  ASSERT_EQ(json["cells"].size(), 2u) << result.output;
+  EXPECT_EQ(json["cells"][0]["instance"], "file file=p[1].txt n=4 seed=1");
+  EXPECT_NE(json["cells"][1]["algorithm"].get<std::string>().find(" start=start.csv"), std::string::npos);
+}
+
 // What the folders leave open is run again by both builds, which are one program here: --force lets it be judged. One
 // repetition a look cannot settle anything, so that there are three looks.
 TEST_F(TrackingCommands, WhatFoldersLeaveOpenIsRunInTurn) {

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "algorithms/sweep/sweep.h"
 #include "geometry/delaunay.h"
 #include "geometry/error.h"
+#include "geometry/weight.h"
 #include "harness/folder_testing.h"
 #include "harness/hunt/moves.h"
 #include "harness/hunt/state_file.h"
@@ -62,6 +64,41 @@ TEST(AlphaOracle, an_invalid_triangulation_is_no_find_but_a_failure) {
   EXPECT_THROW((void)AlphaOracle(plan.request, *plan.solver).rate({{0, 0}, {4, 0}, {0, 4}, {1, 1}}), std::logic_error);
   TestFolder folder;
   EXPECT_THROW((void)run(plan, 100, folder.path("state")), std::logic_error);
+}
+
+// The algorithm was blamed for being lighter than the optimum.
+TEST(AlphaOracle, a_lighter_triangulation_disproves_the_solver) {
+  AlgorithmInfo wrong;
+  wrong.name = "wrong";
+  wrong.function = [](Points points, Context&) {
+    Solution solution;
+    solution.triangulation = sweep_triangulation(points);
+    solution.optimum = weight(points, solution.triangulation);
+    return solution;
+  };
+  const HuntPlan plan = plan_for("delaunay", 5);
+  const std::vector<Point> points = {{0, 0}, {10, 1}, {20, 0}, {10, -5}, {10, 12}, {3, 4}, {15, 3}};
+  try {
+    static_cast<void>(AlphaOracle(plan.request, wrong).rate(points));
+    ADD_FAILURE();
+  } catch (const DisprovedOptimum& failure) {
+    EXPECT_TRUE(std::string(failure.what()).starts_with("CONTRADICTION: wrong certified that no triangulation weighs"));
+    EXPECT_NE(std::string(failure.what()).find("but a checked one of delaunay weighs"), std::string::npos);
+    EXPECT_EQ(failure.points(), points);
+  }
+}
+
+TEST(AlphaOracle, a_solver_that_its_own_triangulation_disproves_is_a_failure) {
+  AlgorithmInfo wrong;
+  wrong.name = "wrong";
+  wrong.function = [](Points points, Context&) {
+    Solution solution;
+    solution.triangulation = sweep_triangulation(points);
+    solution.optimum = Interval{1e9, 1e9};
+    return solution;
+  };
+  const HuntPlan plan = plan_for("delaunay", 5);
+  EXPECT_THROW((void)AlphaOracle(plan.request, wrong).rate({{0, 0}, {4, 0}, {0, 4}, {1, 1}}), DisprovedOptimum);
 }
 
 TEST(Hunt, moves_change_points_and_keep_their_number) {

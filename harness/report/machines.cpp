@@ -5,6 +5,7 @@
 
 #include "harness/environment.h"
 #include "harness/text.h"
+#include "harness/tracking/machine_state.h"
 
 namespace mwt {
 
@@ -76,6 +77,11 @@ std::vector<std::string> keep_times_of_one_machine(StudyRecords& records) {
   if (by_build.size() > 1) {
     warnings.push_back("runs of " + std::to_string(by_build.size()) +
                        " builds of mwt, whose times are taken together: " + list_of(by_build));
+  }
+  const MachineState state = machine_state_of(records.runs, {});
+  if (was_busy(state)) {
+    warnings.push_back("the machine was busy with other programs: the runs had the CPU " +
+                       fixed(100 * *state.cpu_share, 0) + "% of the time; wall times are longer than on an idle one");
   }
   return warnings;
 }

@@ -13,7 +13,8 @@ namespace mwt {
 /// else about the runs stays.
 ///
 /// Returns what the reader must be told, one line each; nothing if one machine and one build ran all of them. Runs of
-/// several builds are told, too; their times stay, for whoever resumed a study with another build wanted that.
+/// several builds are told, too; their times stay, for whoever resumed a study with another build wanted that. So is a
+/// machine that was busy with other programs: wall times are longer then, those of long runs most.
 [[nodiscard]] std::vector<std::string> keep_times_of_one_machine(StudyRecords& records);
 
 }  // namespace mwt

@@ -192,6 +192,14 @@ TEST(Labels, FilesAreCalledByTheirNames) {
   EXPECT_EQ(Labels(cells).family(cells[0].key), "berlin52.tsp");
 }
 
+TEST(Labels, BlanksInNamesOfFilesAreShown) {
+  RunRecord run = ok_run("patch", 52, 1, 1, 1);
+  run.generator = "file";
+  run.generator_params = "file=my%20points.txt";
+  const std::vector<Cell> cells = cells_of({run});
+  EXPECT_EQ(Labels(cells).family(cells[0].key), "my points.txt");
+}
+
 TEST(FinalRating, WhatWasProvedLaterCountsForAll) {
   StudyRecords records;
   records.runs = {ok_run("sweep", 10, 1, 1, 2), ok_run("exact", 10, 1, 1, 1)};
@@ -327,6 +335,18 @@ TEST(Report, RunsSideBySideAreNotComparedWithOthers) {
   records.environments[1].jobs = 2;
   ASSERT_EQ(keep_times_of_one_machine(records).size(), 1u);
   EXPECT_NE(keep_times_of_one_machine(records).at(0).find("Abacus, 2 runs side by side"), std::string::npos);
+}
+
+TEST(Report, ABusyMachineIsTold) {
+  StudyRecords records;
+  records.runs = power_law_runs();
+  for (RunRecord& run : records.runs) run.cpu_time_s = *run.wall_time_s;
+  EXPECT_TRUE(keep_times_of_one_machine(records).empty());
+  for (RunRecord& run : records.runs) *run.cpu_time_s /= 4;
+  EXPECT_EQ(
+      keep_times_of_one_machine(records),
+      std::vector<std::string>{"the machine was busy with other programs: the runs had the CPU 25% of the time; wall "
+                               "times are longer than on an idle one"});
 }
 
 TEST(Report, SeveralBuildsAreTold) {

@@ -1,14 +1,17 @@
 #include "harness/study/dry_run.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "harness/aligned_table.h"
+#include "harness/environment.h"
 #include "harness/study/estimate.h"
 #include "harness/study/optimum_search.h"
+#include "harness/study/past_times.h"
 #include "harness/text.h"
 
 namespace mwt {
@@ -16,6 +19,7 @@ namespace mwt {
 namespace {
 
 constexpr std::size_t kMostListed = 8;
+constexpr double kCalibrationTime = 8;  // s
 
 template <class Number>
 std::string listed(const std::set<Number>& numbers) {
@@ -86,20 +90,48 @@ std::string optimum_text(const Study& study) {
          limits_text(study.optimum_limits) + "; what the optimum cache has is not sought";
 }
 
-StudyRecords earlier_records(const std::string& folder) {
-  const bool has_any = std::filesystem::exists(std::filesystem::path(folder) / "runs.csv");
-  return has_any ? read_records(folder) : StudyRecords{};
+std::string basis_text(TimeBasis basis) {
+  switch (basis) {
+    case TimeBasis::recorded: return "in cells that were recorded on this machine";
+    case TimeBasis::measured: return "in cells that were measured just now";
+    case TimeBasis::other_sizes: return "extrapolated from other sizes of the family";
+    case TimeBasis::other_families: return "as on other families";
+    case TimeBasis::other_variants: return "as with other parameters";
+    case TimeBasis::nothing: return "of which nothing is known, at their limits";
+  }
+  return "";
 }
 
-std::string estimate_text(const DurationEstimate& estimate, const Plan& plan, const std::string& folder) {
-  const std::string bounds = "between " + readable_duration(estimate.least) + " and " +
-                             readable_duration(estimate.most) + " (every run and search at its limit)";
-  if (estimate.likely == 0) return bounds + "; a run recorded in " + folder + " would tell more";
-  const std::string unknown =
-      estimate.known < plan.runs.size()
-          ? ", without " + std::to_string(plan.runs.size() - estimate.known) + " runs unknown there"
-          : "";
-  return "about " + readable_duration(estimate.likely) + " as recorded in " + folder + unknown + "; " + bounds;
+std::string estimate_text(const DurationEstimate& estimate) {
+  std::string text = "about " + readable_duration(estimate.likely) + ", probably between " +
+                     readable_duration(estimate.low) + " and " + readable_duration(estimate.high) +
+                     "; with every run and search at its limit " + readable_duration(estimate.most) + '\n';
+  AlignedTable table({"of that", "runs", ""}, {2});
+  for (const auto& [basis, part] : estimate.runs) {
+    table.add_row({readable_duration(part.seconds), std::to_string(part.count), basis_text(basis)});
+  }
+  if (estimate.searches.count > 0) {
+    table.add_row({readable_duration(estimate.searches.seconds), std::to_string(estimate.searches.count),
+                   "searches for optima, unless the cache has them"});
+  }
+  return text + table.text("  ");
+}
+
+DurationEstimate estimate(const Study& study, const Catalogue& catalogue, const Plan& plan, const RunOptions& options,
+                          std::ostream& out) {
+  TimeModel model;
+  const EnvironmentRecord here = describe_environment(study.name, 1, "");
+  const std::string siblings = std::filesystem::path(options.folder).parent_path().string();
+  const PastTimes past =
+      add_past_times(model, {options.folder, siblings.empty() ? "." : siblings, "results"}, here, study.threads);
+  const std::vector<PlannedWork> work = planned_work(study, catalogue, plan);
+  const auto begin = std::chrono::steady_clock::now();
+  const std::size_t measured = calibrate(model, study, plan, work, kCalibrationTime);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+  out << "estimated from " << past.runs << " recorded runs in " << past.folders << " folders of this machine and "
+      << measured << " runs made just now in " << readable_duration(elapsed.count()) << '\n';
+  for (const std::string& warning : timing_warnings(here)) out << "warning: " << warning << '\n';
+  return estimate_duration(study, plan, work, model);
 }
 
 }  // namespace
@@ -107,7 +139,6 @@ std::string estimate_text(const DurationEstimate& estimate, const Plan& plan, co
 void dry_run(const Study& study, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
   static_cast<void>(optimum_sources_for(catalogue, study.optimum_sources, kNoIndex));  // are they known and exact?
   const Plan plan = part_of(make_plan(study, catalogue), options.shard);
-  const StudyRecords records = earlier_records(options.folder);
   const std::string shard = options.shard.text();
   out << "study " << study.name << (shard.empty() ? "" : ", shard " + shard) << ": " << study.summary << '\n'
       << plan.instances.size() << " instances, " << plan.runs.size() << " runs (" << study.repetitions
@@ -117,9 +148,9 @@ void dry_run(const Study& study, const Catalogue& catalogue, const RunOptions& o
       << "a run's limits: " << limits_text(study.limits) << '\n'
       << "optimum: " << optimum_text(study) << '\n';
   for (const std::string& note : plan.notes) out << "note: " << note << '\n';
-  out << "time, one run at a time: "
-      << estimate_text(estimate_duration(study, catalogue, plan, records), plan, options.folder)
-      << "\nnothing was run\n";
+  out << std::flush;
+  const DurationEstimate duration = estimate(study, catalogue, plan, options, out);
+  out << "time on an idle machine, one run at a time: " << estimate_text(duration) << "nothing was recorded\n";
 }
 
 }  // namespace mwt

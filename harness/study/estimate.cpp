@@ -1,69 +1,103 @@
 #include "harness/study/estimate.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <tuple>
-#include <vector>
+#include <utility>
 
-#include "harness/statistics/quantile.h"
 #include "harness/study/optimum_search.h"
 
 namespace mwt {
 
 namespace {
 
-// Starting a process, bringing a row to the disk.
-constexpr double kOverheadPerRun = 0.004;
+// Starting a process, bringing a row to the disk; checking and weighing a result.
+constexpr double kOverheadPerRun = 0.006;
+constexpr double kOverheadPerRunAndPoint = 2e-6;
+// Making an instance: when the study is planned, before its optimum is sought, and before its runs.
+constexpr double kOverheadPerInstancePoint = 4e-6;
 // Google Benchmark doubles its way up until the executions fill the minimum.
 constexpr double kFillingFactor = 2;
 
-using CellName = std::tuple<std::string, std::string, std::string, std::string, Index>;
-
-CellName cell_of(const PlannedRun& run, const Plan& plan) {
-  const PlannedInstance& instance = plan.instances[run.instance];
-  return {instance.generator, instance.parameters, run.algorithm->name, run.parameters.canonical(), instance.n};
+std::string named(const std::string& name, const std::string& parameters) {
+  return parameters.empty() ? name : name + ' ' + parameters;
 }
 
-// Median wall-clock seconds of every recorded cell; a run that failed took its limit.
-std::map<CellName, double> recorded_times(const StudyRecords& records) {
-  std::map<CellName, std::vector<double>> times;
-  for (const RunRecord& run : records.runs) {
-    const double if_none = run.status == RunStatus::not_applicable ? 0 : run.time_limit_s;
-    times[{run.generator, run.generator_params, run.algorithm, run.params, run.n}].push_back(
-        run.wall_time_s.value_or(if_none));
+class WorkList {
+ public:
+  void add(const PlannedWork& work) {
+    const auto [entry, is_new] = positions_.try_emplace({work.cell, work.is_search}, list_.size());
+    if (is_new) list_.push_back(work);
+    ++list_[entry->second].count;
   }
-  std::map<CellName, double> medians;
-  for (const auto& [cell, values] : times) medians[cell] = median(values);
-  return medians;
-}
 
-double time_of_search(const Study& study, const Catalogue& catalogue, const PlannedInstance& instance) {
-  if (!study.seeks_optimum) return 0;
-  const auto sources = optimum_sources_for(catalogue, study.optimum_sources, instance.n);
-  return static_cast<double>(sources.size()) * (study.optimum_limits.time_s + study.optimum_limits.grace_s);
+  [[nodiscard]] std::vector<PlannedWork> take() { return std::move(list_); }
+
+ private:
+  std::map<std::pair<TimedCell, bool>, std::size_t> positions_;
+  std::vector<PlannedWork> list_;
+};
+
+double overhead_of(const PlannedWork& work) { return kOverheadPerRun + kOverheadPerRunAndPoint * work.cell.n; }
+
+double filled(const PlannedWork& work, const Study& study, double seconds) {
+  return work.is_search ? seconds : std::max(seconds, kFillingFactor * study.min_time_s);
 }
 
 }  // namespace
 
-DurationEstimate estimate_duration(const Study& study, const Catalogue& catalogue, const Plan& plan,
-                                   const StudyRecords& records) {
-  DurationEstimate estimate;
-  const std::map<CellName, double> recorded = recorded_times(records);
+std::vector<PlannedWork> planned_work(const Study& study, const Catalogue& catalogue, const Plan& plan) {
+  WorkList list;
   for (const PlannedRun& run : plan.runs) {
-    if (!is_within_reach(run, plan)) {
-      ++estimate.known;
-      continue;
-    }
-    estimate.least += kOverheadPerRun;
-    estimate.most += study.limits.time_s + study.limits.grace_s;
-    const auto cell = recorded.find(cell_of(run, plan));
-    if (cell == recorded.end()) continue;
-    ++estimate.known;
-    estimate.likely += kOverheadPerRun + std::max(cell->second, kFillingFactor * study.min_time_s);
+    if (!is_within_reach(run, plan)) continue;
+    const PlannedInstance& instance = plan.instances[run.instance];
+    PlannedWork work;
+    work.cell = {named(run.algorithm->name, run.parameters.canonical()), named(instance.generator, instance.parameters),
+                 instance.n};
+    work.algorithm = run.algorithm;
+    work.parameters = run.parameters;
+    work.has_start_file = run.start_file.has_value();
+    work.instance = run.instance;
+    work.limit_s = study.limits.time_s + study.limits.grace_s;
+    list.add(work);
   }
-  for (const PlannedInstance& instance : plan.instances) estimate.most += time_of_search(study, catalogue, instance);
-  for (const InstanceRecord& instance : records.instances) estimate.likely += instance.optimum_time_s.value_or(0);
+  for (std::size_t i = 0; study.seeks_optimum && i < plan.instances.size(); ++i) {
+    const PlannedInstance& instance = plan.instances[i];
+    const auto sources = optimum_sources_for(catalogue, study.optimum_sources, instance.n);
+    const auto source = std::find_if(sources.begin(), sources.end(),
+                                     [](const AlgorithmInfo* info) { return !info->convex_position_only; });
+    if (source == sources.end()) continue;
+    PlannedWork work;
+    work.algorithm = *source;
+    work.parameters = Parameters(work.algorithm->name, work.algorithm->parameters, {});
+    work.cell = {named(work.algorithm->name, work.parameters.canonical()),
+                 named(instance.generator, instance.parameters), instance.n};
+    work.instance = i;
+    work.limit_s = study.optimum_limits.time_s + study.optimum_limits.grace_s;
+    work.is_search = true;
+    list.add(work);
+  }
+  return list.take();
+}
+
+DurationEstimate estimate_duration(const Study& study, const Plan& plan, const std::vector<PlannedWork>& work,
+                                   const TimeModel& model) {
+  DurationEstimate estimate;
+  double fixed = 0;
+  for (const PlannedInstance& instance : plan.instances) fixed += kOverheadPerInstancePoint * instance.n;
+  for (const PlannedWork& item : work) {
+    const TimePrediction prediction = model.predict(item.cell, item.limit_s);
+    const auto count = static_cast<double>(item.count);
+    const double seconds = count * (overhead_of(item) + filled(item, study, prediction.seconds));
+    estimate.likely += seconds;
+    estimate.low += count * (overhead_of(item) + filled(item, study, prediction.low));
+    estimate.high += count * (overhead_of(item) + filled(item, study, prediction.high));
+    estimate.most += count * (overhead_of(item) + item.limit_s);
+    DurationEstimate::Part& part = item.is_search ? estimate.searches : estimate.runs[prediction.basis];
+    part.count += item.count;
+    part.seconds += seconds;
+  }
+  for (double* total : {&estimate.likely, &estimate.low, &estimate.high, &estimate.most}) *total += fixed;
   return estimate;
 }
 

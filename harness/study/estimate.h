@@ -2,24 +2,54 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <vector>
 
 #include "harness/catalogue.h"
 #include "harness/study/plan.h"
-#include "harness/study/results_folder.h"
+#include "harness/study/time_model.h"
 
 namespace mwt {
 
-/// Seconds, with one run at a time.
-struct DurationEstimate {
-  double least = 0;       ///< every run in no time, its process and its row counted
-  double most = 0;        ///< every run and every search for an optimum up to its limit
-  double likely = 0;      ///< what runs and searches took that are recorded; of the others nothing
-  std::size_t known = 0;  ///< runs of the plan whose cell is among the recorded ones
+/// Runs of one cell of a plan, or searches for the optimum by one source: what takes time.
+struct PlannedWork {
+  TimedCell cell;
+  const AlgorithmInfo* algorithm = nullptr;
+  Parameters parameters;
+  bool has_start_file = false;
+  std::size_t instance = 0;  ///< position in the plan of one of its instances
+  std::size_t count = 0;
+  double limit_s = 0;  ///< of one
+  bool is_search = false;
 };
 
-/// `records`: of an earlier, perhaps unfinished run of the study or of a similar one.
-[[nodiscard]] DurationEstimate estimate_duration(const Study& study, const Catalogue& catalogue, const Plan& plan,
-                                                 const StudyRecords& records);
+/// All that the plan starts; runs beyond an algorithm's largest n take no time and are left out. Of searches, the first
+/// source for points in general position.
+[[nodiscard]] std::vector<PlannedWork> planned_work(const Study& study, const Catalogue& catalogue, const Plan& plan);
+
+/// Seconds, with one run at a time.
+struct DurationEstimate {
+  struct Part {
+    std::size_t count = 0;  ///< runs or searches
+    double seconds = 0;
+  };
+
+  double likely = 0;
+  double low = 0;  ///< it will probably take low .. high
+  double high = 0;
+  double most = 0;  ///< every run and every search up to its limit
+  std::map<TimeBasis, Part> runs;
+  Part searches;
+};
+
+[[nodiscard]] DurationEstimate estimate_duration(const Study& study, const Plan& plan,
+                                                 const std::vector<PlannedWork>& work, const TimeModel& model);
+
+/// Runs algorithms on the plan's smaller instances, one execution each in a process of its own, for about `budget_s`
+/// seconds, and adds their times: first every algorithm once, then where the estimate is least sure. Returns the number
+/// of runs.
+std::size_t calibrate(TimeModel& model, const Study& study, const Plan& plan, const std::vector<PlannedWork>& work,
+                      double budget_s);
 
 /// Whether the run is started at all.
 [[nodiscard]] inline bool is_within_reach(const PlannedRun& run, const Plan& plan) {

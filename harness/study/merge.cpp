@@ -117,13 +117,13 @@ class Merger {
 
  private:
   void collect_runs() {
-    std::set<std::string> planned;
-    for (const PlannedRun& run : plan_.runs) planned.insert(run.run_id);
+    const std::set<std::string> planned = run_ids_of(plan_);
     for (const Part& part : parts_) {
       for (const RunRecord& run : part.records.runs) {
         if (!planned.contains(run.run_id)) {
           throw InputError(part.folder + ": this mwt does not plan its run " + label_of(run) +
-                           "; merge with the commit that recorded it: " + run.git_commit);
+                           "; merge with the commit that recorded it (" + run.git_commit +
+                           ") and the same point and start files");
         }
         const auto [entry, is_new] = runs_.try_emplace(run.run_id, &run, part.folder);
         if (is_new) continue;

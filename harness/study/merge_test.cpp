@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "geometry/error.h"
@@ -102,6 +103,33 @@ TEST_F(Merge, RefusesCommitsThatDifferAndRunsNobodyPlans) {
   records.runs.front().run_id = "unheard of";
   write_records(folder_.path("strange"), records);
   expect_refusal({"1", "strange"}, "does not plan its run");
+}
+
+TEST_F(Merge, AClaimThatAnotherShardDisprovesIsAnError) {
+  run("1", {1, 2});
+  run("2", {2, 2});
+  StudyRecords records = read_records(folder_.path("2"));
+  RunRecord& claimant = *std::find_if(records.runs.begin(), records.runs.end(),
+                                      [](const RunRecord& run) { return run.status == RunStatus::ok; });
+  claimant.certified_lower = 2 * *claimant.weight_upper;
+  write_records(folder_.path("wrong"), records);
+  EXPECT_EQ(merge({"1", "wrong"}), 48u);
+  std::size_t disproved = 0;
+  for (const RunRecord& record : read_records(folder_.path("merged")).runs) {
+    const bool is_claimant = record.run_id == claimant.run_id;
+    EXPECT_EQ(record.message.starts_with("CONTRADICTION"), is_claimant);
+    disproved += is_claimant ? 1 : 0;
+  }
+  EXPECT_EQ(disproved, 1u);
+}
+
+TEST_F(Merge, RefusesDifferentPointsUnderOneName) {
+  run("1", {1, 2});
+  run("2", {2, 2});
+  StudyRecords records = read_records(folder_.path("2"));
+  records.runs.front().instance_id = "another";
+  write_records(folder_.path("strange"), records);
+  expect_refusal({"1", "strange"}, "different points under one name, ");
 }
 
 TEST_F(Merge, NeverOverwrites) {

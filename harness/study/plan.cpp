@@ -16,6 +16,8 @@ namespace mwt {
 
 namespace {
 
+constexpr std::size_t kMostRuns = 2000000;  // which take about a gigabyte while they are planned
+
 // Runs `look_up`; its complaints get the place in the study file that they are about.
 template <class LookUp>
 auto at_place(const std::string& place, LookUp look_up) {
@@ -104,6 +106,7 @@ class Planner {
   struct AlgorithmTemplate {
     PlannedRun run;  // instance, repetition and id still open
     std::vector<std::string> families;
+    std::string start_hash;  // of the content of the file to start from
 
     [[nodiscard]] bool takes(const std::string& family) const {
       return families.empty() || std::find(families.begin(), families.end(), family) != families.end();
@@ -120,7 +123,8 @@ class Planner {
     if (const auto file = start_file_of(info, run.parameters)) {
       run.start_file = (std::filesystem::path(study_.folder) / *file).string();
     }
-    algorithms_.push_back({std::move(run), choice.families});
+    const std::string start_hash = run.start_file ? sha256_of_file(*run.start_file) : "";
+    algorithms_.push_back({std::move(run), choice.families, start_hash});
   }
 
   void add_family(const FamilyChoice& choice) {
@@ -158,9 +162,9 @@ class Planner {
       const std::string path = (std::filesystem::path(study_.instance_files.folder) / name).string();
       try {
         const std::vector<Point> points = read_points(path);
-        static_cast<void>(make_point_set(points, path));
+        const std::string id = instance_id(make_point_set(points, path).points);
         add_instance({kFileGenerator, canonical_parameter("file", name), static_cast<Index>(points.size()),
-                      study_.seeds.front(), [path] { return read_points(path); }});
+                      study_.seeds.front(), [path] { return read_points(path); }, id});
       } catch (const InputError& error) {
         plan_.notes.push_back(std::string("left out: ") + error.what());
       }
@@ -168,9 +172,10 @@ class Planner {
   }
 
   void add_instance(const PlannedInstance& instance) {
-    const std::string key = joined({study_.name, instance.generator, instance.parameters, std::to_string(instance.n),
-                                    std::to_string(instance.seed)},
-                                   "\n");
+    std::string key = joined({study_.name, instance.generator, instance.parameters, std::to_string(instance.n),
+                              std::to_string(instance.seed)},
+                             "\n");
+    if (!instance.file_instance_id.empty()) key += '\n' + instance.file_instance_id;
     if (!known_instances_.insert(key).second) return;
     plan_.instances.push_back(instance);
     for (int repetition = 0; repetition < study_.repetitions; ++repetition) add_repetition(key, repetition);
@@ -185,9 +190,15 @@ class Planner {
       PlannedRun run = algorithm.run;
       run.instance = plan_.instances.size() - 1;
       run.repetition = repetition;
-      run.run_id = short_hash(
-          joined({instance_key, run.algorithm->name, run.parameters.canonical(), std::to_string(repetition)}, "\n"));
+      std::string run_key =
+          joined({instance_key, run.algorithm->name, run.parameters.canonical(), std::to_string(repetition)}, "\n");
+      if (run.start_file) run_key += '\n' + algorithm.start_hash;
+      run.run_id = short_hash(run_key);
       if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
+    }
+    if (plan_.runs.size() > kMostRuns) {
+      throw InputError("study '" + study_.name + "' has more than " + std::to_string(kMostRuns) +
+                       " runs; divide it into several studies");
     }
     std::sort(plan_.runs.begin() + static_cast<std::ptrdiff_t>(begin), plan_.runs.end(),
               [](const PlannedRun& a, const PlannedRun& b) { return a.run_id < b.run_id; });
@@ -211,6 +222,12 @@ std::string PlannedInstance::label() const {
 Index largest_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study) {
   const Index own = algorithm.largest_n == 0 ? kNoIndex : algorithm.largest_n;
   return std::min(own, of_study.value_or(kNoIndex));
+}
+
+std::set<std::string> run_ids_of(const Plan& plan) {
+  std::set<std::string> ids;
+  for (const PlannedRun& run : plan.runs) ids.insert(run.run_id);
+  return ids;
 }
 
 Plan make_plan(const Study& study, const Catalogue& catalogue) {

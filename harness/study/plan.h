@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct PlannedInstance {
   Index n = 0;             ///< duplicates included
   std::uint64_t seed = 0;
   std::function<std::vector<Point>()> make_points;  ///< throws InputError if there is no such instance after all
+  std::string file_instance_id{};                   ///< of a file: content hash of its points when the plan was made
 
   /// "uniform n=100 seed=1", for messages.
   [[nodiscard]] std::string label() const;
@@ -32,7 +34,8 @@ struct PlannedRun {
   int repetition = 0;
   Index largest_n = 0;                      ///< beyond it the run is recorded as not_applicable without being started
   std::optional<std::string> start_file{};  ///< path of the triangulation to start from
-  std::string run_id;  ///< hash of study name, instance, algorithm, parameters, repetition: the same on every machine
+  std::string run_id;  ///< hash of study name, instance, algorithm, parameters, repetition and the content of the files
+                       ///< that these name: the same on every machine
 };
 
 struct Plan {
@@ -47,6 +50,8 @@ struct Plan {
 /// size, and reads every file, to find out.
 /// Throws InputError, naming the study file's line: unknown names, wrong parameters, no sizes where needed, no files.
 [[nodiscard]] Plan make_plan(const Study& study, const Catalogue& catalogue);
+
+[[nodiscard]] std::set<std::string> run_ids_of(const Plan& plan);
 
 /// One of several parts of a study that can be run apart.
 struct Shard {

@@ -96,6 +96,63 @@ TEST(Plan, SizesAFamilyLacksBecomeTheNearest) {
   EXPECT_EQ(plan.notes.size(), 4u);
 }
 
+TEST(Plan, ASizeThatIsLeftOutSaysWhyForThatSize) {
+  Study study = small_study();
+  study.families = {{"hunted", {{"algorithm", "quadtree"}}, {50, 9}, {}, ""}};
+  const Plan plan = plan_of(study);
+  ASSERT_EQ(plan.notes.size(), 2u);
+  EXPECT_EQ(
+      plan.notes[0],
+      "left out: hunted algorithm=quadtree n=50: hunted: has no instance of n=50 points; the nearest legal n is 20");
+  EXPECT_EQ(plan.notes[1], "hunted algorithm=quadtree has no n=9; taken: n=8");
+}
+
+// What a machine has no memory for is refused before anything is made.
+TEST(Plan, HugeSizesAndCountsAreRefused) {
+  Study study = small_study();
+  study.sizes = {2000000000};
+  EXPECT_THROW(plan_of(study), InputError);
+  study = small_study();
+  study.repetitions = 1000000;
+  EXPECT_THROW(plan_of(study), InputError);
+}
+
+std::vector<Point> one_more(Index n, std::uint64_t, const Parameters&) {
+  std::vector<Point> points;
+  for (Index i = 0; i <= n; ++i) points.push_back({static_cast<double>(i), static_cast<double>(i) * i});
+  return points;
+}
+
+TEST(Plan, AFamilyThatFailsIsPlannedSoThatItsRunsSaySo) {
+  GeneratorInfo family;
+  family.name = "one_more";
+  family.function = one_more;
+  Study study = small_study();
+  study.families = {{"one_more", {}, {}, {}, ""}};
+  const Plan plan = make_plan(study, {testing::test_catalogue().algorithms(), {&family, 1}});
+  EXPECT_EQ(plan.runs.size(), 4u);
+  EXPECT_TRUE(plan.notes.empty());
+}
+
+TEST(Plan, RunIdsChangeWithTheFilesTheyDependOn) {
+  const testing::TestFolder folder;
+  Study study = small_study();
+  study.families.clear();
+  study.folder = folder.path("");
+  study.instance_files = {folder.path(""), {"a b.txt"}, "s.toml:3"};
+  study.algorithms = {{"tuned", {{"start", "s.csv"}}, {}, ""}};
+  testing::write_text(folder.path("a b.txt"), "0 0\n1 0\n0 1\n");
+  testing::write_text(folder.path("s.csv"), "0,1,2\n");
+  const Plan first = plan_of(study);
+  EXPECT_EQ(first.instances[0].label(), "file file=a%20b.txt n=3 seed=1");
+  testing::write_text(folder.path("s.csv"), "1,2,0\n");
+  const Plan other_start = plan_of(study);
+  testing::write_text(folder.path("a b.txt"), "0 0\n1 0\n0 2\n");
+  const Plan other_points = plan_of(study);
+  EXPECT_NE(first.runs[0].run_id, other_start.runs[0].run_id);
+  EXPECT_NE(other_start.runs[0].run_id, other_points.runs[0].run_id);
+}
+
 TEST(Plan, TheSmallerLimitCounts) {
   Study study = small_study();
   study.algorithms = {{"small", {}, {}, ""}, {"small", {}, 3, ""}, {"well", {}, 7, ""}};

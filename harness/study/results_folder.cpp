@@ -35,14 +35,29 @@ std::vector<Record> records_of(const std::vector<CsvRow>& rows, const std::vecto
                                const std::string& file) {
   std::vector<Record> records;
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string line = file + ":" + std::to_string(i + 2);
     try {
       records.push_back(record_of(columns, rows[i]));
     } catch (const std::invalid_argument& mistake) {
-      throw InputError(file + ":" + std::to_string(i + 2) + ": malformed row: " + mistake.what() +
+      throw InputError(line + ": malformed row: " + mistake.what() +
                        "; mend it, or delete the line and let mwt run --resume run it again");
+    }
+    if (records.back().schema_version != kSchemaVersion) {
+      throw InputError(line + ": a row of schema version " + std::to_string(records.back().schema_version) + ", not " +
+                       std::to_string(kSchemaVersion) + "; use the mwt that wrote it, or delete the line");
     }
   }
   return records;
+}
+
+// Two files that were put together by hand, say.
+void require_each_once(const std::vector<RunRecord>& runs, const std::string& file) {
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].run_id.empty() || ids.insert(runs[i].run_id).second) continue;
+    throw InputError(file + ":" + std::to_string(i + 2) + ": the run " + runs[i].run_id +
+                     " is there twice; delete one of its lines");
+  }
 }
 
 template <class Record>
@@ -158,6 +173,7 @@ ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool r
   environment_file_ = open_file(kEnvironments, header_of(environment_columns()));
   runs_ = records_of(run_file_->existing_rows(), run_columns(), in_folder(path, kRuns));
   instances_ = records_of(instance_file_->existing_rows(), instance_columns(), in_folder(path, kInstances));
+  require_each_once(runs_, in_folder(path, kRuns));
   require_same_name(runs_, study, path);
   if (!has_study_file) write_file_atomically(in_folder(path, kStudyFile), study.file_content);
   for (CsvFile* file : {run_file_.get(), instance_file_.get(), environment_file_.get()}) file->begin();
@@ -248,13 +264,16 @@ void write_file_of_records(const std::string& folder, const char* name, const st
 
 std::vector<RunRecord> read_runs(const std::string& folder) {
   std::vector<std::string> ignored;
-  return read_file_of_records(folder, kRuns, run_columns(), ignored);
+  std::vector<RunRecord> runs = read_file_of_records(folder, kRuns, run_columns(), ignored);
+  require_each_once(runs, in_folder(folder, kRuns));
+  return runs;
 }
 
 StudyRecords read_records(const std::string& folder) {
   StudyRecords records;
   records.study_file = read_regular_file(in_folder(folder, kStudyFile));
   records.runs = read_file_of_records(folder, kRuns, run_columns(), records.warnings);
+  require_each_once(records.runs, in_folder(folder, kRuns));
   records.instances = read_file_of_records(folder, kInstances, instance_columns(), records.warnings);
   records.environments = read_file_of_records(folder, kEnvironments, environment_columns(), records.warnings);
   return records;

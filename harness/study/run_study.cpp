@@ -30,6 +30,34 @@ void require_same_build(const StudySession& session) {
   }
 }
 
+// Under one name there must be one instance, whenever its runs were recorded.
+template <class Record>
+void require_unchanged_files(const StudySession& session, const std::vector<Record>& records) {
+  std::map<std::string, std::string> ids;  // by the parameter that names the file
+  for (const PlannedInstance& planned : session.plan.instances) {
+    if (planned.generator == kFileGenerator) ids[planned.parameters] = planned.file_instance_id;
+  }
+  for (const Record& record : records) {
+    const auto id = record.generator == kFileGenerator ? ids.find(record.generator_params) : ids.end();
+    if (id == ids.end() || record.instance_id.empty() || id->second == record.instance_id) continue;
+    throw InputError(parse_canonical(record.generator_params)["file"] +
+                     ": has changed since its runs were recorded in " + session.options.folder +
+                     "; restore it, or choose a new folder with --out");
+  }
+}
+
+// Other reasons why recorded runs are not this study's any more.
+void require_planned(const StudySession& session) {
+  if (session.options.accepts_other_build) return;
+  for (const RunRecord& run : session.folder.runs()) {
+    if (session.planned_ids.contains(run.run_id)) continue;
+    throw InputError(session.options.folder + ": its run of " + run.algorithm + ' ' + run.params + " on " +
+                     label_of_instance(run) +
+                     " is none of this study any more: a point file, a start file or this mwt has changed or is gone;"
+                     " restore it, choose a new folder with --out, or keep such runs with --accept-other-build");
+  }
+}
+
 void announce_plan(StudySession& session) {
   const std::string shard = session.options.shard.text();
   session.out << "study " << session.study.name << (shard.empty() ? "" : ", shard " + shard) << ": "
@@ -75,6 +103,9 @@ void announce_end(const StudySession& session, const MachineWatch& watch) {
 StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
   static_cast<void>(optimum_sources_for(catalogue, study.optimum_sources, kNoIndex));  // before the folder is made
   StudySession session(study, catalogue, options, out);
+  require_unchanged_files(session, session.folder.instances());
+  require_unchanged_files(session, session.folder.runs());
+  require_planned(session);
   require_same_build(session);
   session.folder.append(session.environment);
   announce_plan(session);

@@ -1,9 +1,18 @@
 #include "harness/study/run_study.h"
 
 #include <gtest/gtest.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <cstddef>
 #include <map>
 #include <sstream>
 
@@ -49,10 +58,10 @@ std::map<std::string, RunRecord> by_algorithm(const std::string& folder) {
 
 TEST(RunStudy, EveryMisbehaviourIsOneRow) {
   const TestFolder folder;
-  const StudyOutcome outcome =
-      run(study_of({"crashes", "well", "leaves", "hangs", "allocates", "invalid", "throws", "declines", "chats",
-                    "small", "claims", "loops", "well", "grumbles", "misspells"}),
-          folder.path("out"), false, 2);
+  Study study = study_of({"crashes", "well", "leaves", "hangs", "allocates", "invalid", "throws", "declines", "chats",
+                          "small", "claims", "loops", "well", "grumbles", "misspells"});
+  study.limits.time_s = 2;  // so that a busy machine lets everything but "hangs" and "loops" come to its end
+  const StudyOutcome outcome = run(study, folder.path("out"), false, 2);
   auto runs = by_algorithm(folder.path("out"));
   ASSERT_EQ(runs.size(), 14u);
   EXPECT_EQ(runs["well"].status, RunStatus::ok);
@@ -259,7 +268,7 @@ TEST(RunStudy, ADisprovedCachedOptimumIsThrownOutAndSoughtAnew) {
   }
   ASSERT_EQ(records.instances.size(), 1u);
   EXPECT_EQ(records.instances[0].optimality, "proved");
-  EXPECT_EQ(records.instances[0].optimum_note, "");
+  EXPECT_EQ(records.instances[0].optimum_note, kCachedNote) << "by then a run had proved it";
   EXPECT_EQ(cache.find(key)->interval.upper, *right.weight_upper);
   EXPECT_EQ(files_in(folder.path("optima")), 1u) << "the other version's entry is disproved, too";
 }
@@ -445,6 +454,161 @@ TEST(RunStudy, RefusesAFolderInUseOrOfAnotherStudy) {
     EXPECT_THROW(run(study, folder.path("out"), true), InputError);
   }
   EXPECT_EQ(read_text(folder.path("out/runs.csv")), before);
+}
+
+std::string refusal(const Study& study, const std::string& folder) {
+  return mwt::test::message_of<InputError>([&] { run(study, folder, true); });
+}
+
+class StudyOfFiles : public ::testing::Test {
+ protected:
+  StudyOfFiles() {
+    write_text(folder_.path("a b.txt"), "0 0\n4 0\n5 1\n0 1\n");
+    write_text(folder_.path("start.csv"), "0,1,2\n0,2,3\n");
+    study_.families.clear();
+    study_.folder = folder_.path("");
+    study_.instance_files = {folder_.path(""), {"*.txt"}, "s.toml:1"};
+    study_.algorithms = {{"well", {}, {}, ""}, {"tuned", {{"start", "start.csv"}}, {}, ""}};
+    run(study_, folder_.path("out"));
+    before_ = read_text(folder_.path("out/runs.csv"));
+  }
+
+  void expect_refusal(const std::string& part) {
+    const std::string message = refusal(study_, folder_.path("out"));
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_EQ(read_text(folder_.path("out/runs.csv")), before_);
+  }
+
+  TestFolder folder_;
+  Study study_ = study_of({});
+  std::string before_;
+};
+
+// Two instances came under one name.
+TEST_F(StudyOfFiles, AreNotResumedWithAnotherPointFile) {
+  write_text(folder_.path("a b.txt"), "0 0\n4 0\n5 2\n0 1\n");
+  expect_refusal("a b.txt: has changed since its runs were recorded in ");
+  write_text(folder_.path("a b.txt"), "0 0\n4 0\n5 1\n0 1\n2 9\n");
+  expect_refusal("a b.txt: has changed since its runs were recorded in ");
+  write_text(folder_.path("c.txt"), "0 0\n4 0\n5 1\n0 1\n");
+  std::filesystem::remove(folder_.path("a b.txt"));
+  expect_refusal("is none of this study any more");
+}
+
+TEST_F(StudyOfFiles, AreNotResumedWithAnotherStart) {
+  write_text(folder_.path("start.csv"), "1,2,0\n0,2,3\n");
+  expect_refusal(
+      "its run of tuned k=4 start=start.csv on file file=a%20b.txt n=4 seed=1 is none of this study any more");
+}
+
+TEST_F(StudyOfFiles, AreResumedWhenNothingHasChanged) {
+  EXPECT_EQ(run(study_, folder_.path("out"), true).runs, 0u);
+  write_text(folder_.path("c.txt"), "0 0\n4 0\n5 1\n0 1\n");
+  EXPECT_EQ(run(study_, folder_.path("out"), true).runs, 2u) << "a new file is more to run";
+}
+
+std::vector<Point> one_more_for_seed_2(Index n, std::uint64_t seed, const Parameters&) {
+  std::vector<Point> points;
+  for (Index i = 0; i < n + (seed == 2 ? 1 : 0); ++i) points.push_back({static_cast<double>(i), 1.0 * i * i});
+  return points;
+}
+
+TEST(RunStudy, AFamilyThatReturnsTooManyPointsIsNamedInItsRows) {
+  const TestFolder folder;
+  GeneratorInfo family;
+  family.name = "one_more";
+  family.function = one_more_for_seed_2;
+  const Catalogue catalogue(testing::test_catalogue().algorithms(), {&family, 1});
+  Study study = study_of({"well"}, "one_more");
+  study.seeds = {1, 2};
+  std::ostringstream out;
+  EXPECT_EQ(run_study(study, catalogue, {folder.path("out")}, out).failures, 1u);
+  for (const RunRecord& record : read_runs(folder.path("out"))) {
+    EXPECT_EQ(record.status, record.seed == 1 ? RunStatus::ok : RunStatus::error);
+    if (record.seed != 2) continue;
+    EXPECT_EQ(record.message,
+              "no instance: generator one_more: returned 11 points for n=10 seed=2; its function is wrong");
+  }
+}
+
+TEST(RunStudy, HalfWrittenFilesOfAllKindsAreMadeWhole) {
+  const TestFolder folder;
+  Study study = study_of({"well", "chats"});
+  study.seeds = {1, 2};
+  run(study, folder.path("whole"));
+  const std::vector<std::string> expected = essence(folder.path("whole"));
+  int round = 0;
+  for (const char* name : {"runs.csv", "instances.csv", "environments.csv"}) {
+    const std::string complete = read_text(folder.path(std::string("whole/") + name));
+    for (const std::size_t kept : {std::size_t{0}, std::size_t{7}, complete.size() / 2, complete.size() - 1}) {
+      const std::string out = folder.path(std::to_string(round++));
+      std::filesystem::copy(folder.path("whole"), out);
+      write_text(out + '/' + name, complete.substr(0, kept));
+      run(study, out, true);
+      EXPECT_EQ(essence(out), expected) << name << ' ' << kept;
+    }
+    const std::string out = folder.path(std::to_string(round++));
+    std::filesystem::copy(folder.path("whole"), out);
+    std::filesystem::remove(out + '/' + name);
+    run(study, out, true);
+    EXPECT_EQ(essence(out), expected) << name;
+  }
+}
+
+TEST(RunStudy, WhatAKilledFirstWriteLeftIsNoHindrance) {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder.path("out"));
+  write_text(folder.path("out/.mwt-123-0.tmp"), "name");
+  EXPECT_EQ(run(study_of({"well"}), folder.path("out"), true).runs, 1u);
+}
+
+TEST(RunStudy, ResumesInNoFolderThatMayBeSomebodyElses) {
+  const TestFolder folder;
+  const Study study = study_of({"well"});
+  std::filesystem::create_directory(folder.path("photos"));
+  write_text(folder.path("photos/cat.jpg"), "x");
+  EXPECT_NE(refusal(study, folder.path("photos")).find("no study.toml"), std::string::npos);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path("photos")), {}), 1);
+  run(study, folder.path("out"));
+  Study renamed = study;
+  renamed.name = "another";
+  EXPECT_NE(refusal(renamed, folder.path("out")).find("holds runs of the study 's'"), std::string::npos);
+  const std::string rows = read_text(folder.path("out/runs.csv"));
+  write_text(folder.path("out/runs.csv"), rows + rows.substr(rows.find('\n') + 1));
+  EXPECT_NE(refusal(study, folder.path("out")).find("runs.csv:3: the run "), std::string::npos);
+  std::filesystem::remove(folder.path("out/runs.csv"));
+  ASSERT_EQ(mkfifo(folder.path("out/runs.csv").c_str(), 0600), 0);
+  EXPECT_NE(refusal(study, folder.path("out")).find("runs.csv: records need a regular file"), std::string::npos);
+}
+
+// In this process every flock() fails with that error from now on.
+void let_flock_fail(int error) {
+  sock_filter program[] = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_flock, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | static_cast<unsigned>(error)),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+  };
+  const sock_fprog filter{4, program};
+  if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) != 0) _exit(9);
+}
+
+// "another mwt run is writing here" was said of file systems without locks.
+TEST(RunStudy, AFileSystemWithoutLocksIsCalledThat) {
+  const TestFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    let_flock_fail(ENOLCK);
+    const std::string message = refusal(study_of({"well"}), folder.path("out"));
+    _exit(message.find("out: cannot be locked: No locks available; choose a folder on another file system") ==
+                  std::string::npos
+              ? 1
+              : 7);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WEXITSTATUS(status) == 9) GTEST_SKIP() << "no system call can be made to fail here";
+  EXPECT_EQ(WEXITSTATUS(status), 7);
 }
 
 TEST(RunStudy, WrongSourcesAreRefusedBeforeTheFolderIsMade) {

@@ -56,7 +56,7 @@ struct Study {
   std::vector<AlgorithmChoice> algorithms;
   int repetitions = 1;
   int threads = 1;
-  double min_time_s = 0.005;        ///< executions are repeated until they fill this: steady times for microsecond runs
+  double min_time_s = 0.005;  ///< CPU time; shorter executions are repeated until they fill it (repeated_timing.h)
   bool measures_yardstick = false;  ///< every run also times CGAL's Delaunay triangulation of its points
   RunLimits limits;
   RunLimits optimum_limits;

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kLargestTime = 1e9;  // s; about thirty years
 constexpr std::int64_t kLargestCount = 1000000;
+constexpr std::size_t kMostCombinations = 10000;
 
 using ParameterValues = std::map<std::string, std::string>;
 
@@ -164,6 +165,10 @@ std::vector<ParameterValues> read_parameters(TableReader& reader) {
     } else {
       values.push_back(parameter_text(reader, value, name));
     }
+    if (combinations.size() * values.size() > kMostCombinations) {
+      reader.fail(value,
+                  "the lists of parameters make more than " + std::to_string(kMostCombinations) + " combinations");
+    }
     std::vector<ParameterValues> longer;
     for (const ParameterValues& combination : combinations) {
       for (const std::string& text : values) {
@@ -292,6 +297,9 @@ Study read_root(const std::string& path, const toml::table& root) {
   study.optimum_limits = study.limits;
   read_section(reader, "optimum", [&](TableReader& section) { read_optimum(section, study); });
   reader.refuse_unknown_keys();
+  if (study.min_time_s > study.limits.time_s + study.limits.grace_s) {
+    reader.fail(reader.value_of("min_time_s"), "'min_time_s' is more than a run may take, [limits] time_s + grace_s");
+  }
   const bool has_instances = !study.families.empty() || !study.instance_files.patterns.empty();
   if (!has_instances) throw InputError(path + ": 'families' is missing; [\"*\"] means all");
   if (study.algorithms.empty()) throw InputError(path + ": 'algorithms' is missing; [\"*\"] means all");

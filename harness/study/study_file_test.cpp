@@ -76,6 +76,36 @@ sources = ["x", { name = "y", largest_n = 12 }]
   EXPECT_EQ(study.optimum_sources[1].largest_n, 12u);
 }
 
+// "../evil" left results/.
+TEST(StudyFile, ANameIsNoPath) {
+  for (const char* name : {"../evil", "/evil", "a/b", ".", "..", ".hidden", "-option", "", "a b", "a\\n", "\xc3\xa9"}) {
+    const std::string text = "name = \"" + std::string(name) + "\"\nsummary = \"t\"\n";
+    EXPECT_TRUE(complaint(text).starts_with("s.toml:1: 'name' must be at most 100 letters, digits and ._+-")) << name;
+  }
+  EXPECT_TRUE(complaint("name = \"" + std::string(101, 'a') + "\"\n").starts_with("s.toml:1: 'name' must be"));
+  EXPECT_EQ(read("name = \"My_study-2.1+\"\nsummary = \"t\"\nfamilies = [\"*\"]\nalgorithms = [\"*\"]\n").name,
+            "My_study-2.1+");
+}
+
+TEST(StudyFile, AbsurdValuesAreRefused) {
+  EXPECT_EQ(complaint(kMinimal + "sizes = [1000000000000]\n"), "s.toml:5: 'sizes' must be below 2^32 - 1");
+  EXPECT_EQ(complaint(kMinimal + "repetitions = -1\n"), "s.toml:5: 'repetitions' must be a whole number of at least 1");
+  EXPECT_EQ(complaint(kMinimal + "seeds = []\n"), "s.toml:5: 'seeds' must be a list, not empty");
+  EXPECT_EQ(complaint(kMinimal + "[limits]\ntime_s = nan\n"),
+            "s.toml:6: 'time_s' must be a positive number of at most 1e9");
+  EXPECT_EQ(complaint(kMinimal + "min_time_s = 100\n[limits]\ntime_s = 10\n"),
+            "s.toml:5: 'min_time_s' is more than a run may take, [limits] time_s + grace_s");
+  EXPECT_EQ(complaint(kMinimal + "[instances]\nfiles = [\"a/../../b\"]\n"),
+            "s.toml:6: 'files' are within 'folder': no .. in them");
+  std::string many = "[1";
+  for (int i = 2; i <= 30; ++i) many += ", " + std::to_string(i);
+  many += "]";
+  EXPECT_EQ(
+      complaint("name = \"s\"\nsummary = \"t\"\nfamilies = [\"*\"]\nalgorithms = [{ name = \"a\", parameters = { a = " +
+                many + ", b = " + many + ", c = " + many + " } }]\n"),
+      "s.toml:4: the lists of parameters make more than 10000 combinations");
+}
+
 TEST(StudyFile, MistakesNameLineAndKey) {
   EXPECT_EQ(complaint("name = "),
             "s.toml:1: not valid TOML: Error while parsing key-value pair: encountered end-of-file");

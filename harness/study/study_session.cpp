@@ -1,7 +1,9 @@
 #include "harness/study/study_session.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "geometry/error.h"
 #include "harness/environment.h"
 #include "harness/study/interrupt.h"
 
@@ -11,14 +13,29 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{200};
 
+Plan shard_of(const Plan& whole, const Shard& shard, std::set<std::string>& ids_of_all) {
+  ids_of_all = run_ids_of(whole);
+  return part_of(whole, shard);
+}
+
 }  // namespace
 
+InstanceMaker::InstanceMaker(const Plan& plan, const std::vector<InstanceRecord>& recorded) : plan_(plan) {
+  for (const InstanceRecord& record : recorded) recorded_ids_[label_of_instance(record)] = record.instance_id;
+}
+
 std::shared_ptr<const Instance> InstanceMaker::make(std::size_t position) {
-  if (!last_ || position != last_position_) {
-    const PlannedInstance& planned = plan_.instances[position];
-    last_ = std::make_shared<const Instance>(make_instance(planned.make_points(), planned.label()));
-    last_position_ = position;
+  if (last_ && position == last_position_) return last_;
+  const PlannedInstance& planned = plan_.instances[position];
+  auto made = std::make_shared<const Instance>(make_instance(planned.make_points(), planned.label()));
+  const bool is_as_planned = planned.file_instance_id.empty() || made->id == planned.file_instance_id;
+  if (!is_as_planned) throw InputError(planned.label() + ": the file has changed while the study ran");
+  const auto recorded = recorded_ids_.find(planned.label());
+  if (recorded != recorded_ids_.end() && made->id != recorded->second) {
+    throw InputError(planned.label() + ": these are other points than those that were recorded under this name");
   }
+  last_ = std::move(made);
+  last_position_ = position;
   return last_;
 }
 
@@ -28,10 +45,10 @@ StudySession::StudySession(const Study& the_study, const Catalogue& the_catalogu
       catalogue(the_catalogue),
       options(the_options),
       out(the_out),
-      plan(part_of(make_plan(study, catalogue), options.shard)),
+      plan(shard_of(make_plan(study, catalogue), options.shard, planned_ids)),
       folder(options.folder, study, options.resume),
       environment(describe_environment(study.name, options.jobs, options.shard.text())),
-      instances(plan) {
+      instances(plan, folder.instances()) {
   if (!options.cache_folder) return;
   cache.emplace(*options.cache_folder, [this](const std::string& warning) { announce("warning: " + warning); });
 }

@@ -1,6 +1,7 @@
 // What the phases of one `mwt run` share.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -22,13 +23,16 @@ namespace mwt {
 /// The instances of a plan, made when they are needed. The last one stays, for runs come instance by instance.
 class InstanceMaker {
  public:
-  explicit InstanceMaker(const Plan& plan) : plan_(plan) {}
+  /// `recorded`: the instances of earlier invocations.
+  InstanceMaker(const Plan& plan, const std::vector<InstanceRecord>& recorded);
 
-  /// Throws InputError if the family has no such instance after all.
+  /// Throws InputError if the family has no such instance after all, or if it is another one than when the study was
+  /// planned or begun; what the family throws.
   [[nodiscard]] std::shared_ptr<const Instance> make(std::size_t position);
 
  private:
   const Plan& plan_;
+  std::map<std::string, std::string> recorded_ids_;  // by label
   std::shared_ptr<const Instance> last_;
   std::size_t last_position_ = 0;
 };
@@ -41,7 +45,8 @@ struct StudySession {
   const Catalogue& catalogue;
   const RunOptions& options;
   std::ostream& out;
-  const Plan plan;
+  std::set<std::string> planned_ids;  ///< run ids of the whole study, other shards included
+  const Plan plan;                    ///< of this shard
   ResultsFolder folder;
   const EnvironmentRecord environment;
   InstanceMaker instances;

@@ -11,9 +11,11 @@ namespace mwt {
 
 namespace {
 
+constexpr std::size_t kLongestMessage = 1000;
+
 void fail(RunRecord& record, RunStatus status, const std::string& message) {
   record.status = status;
-  record.message = message;
+  record.message = message.size() <= kLongestMessage ? message : message.substr(0, kLongestMessage) + " ...";
 }
 
 void fill_in_measures(RunRecord& record, const Execution& execution, const Judgement& judgement) {

@@ -10,7 +10,7 @@ namespace mwt {
 
 /// How times are taken.
 struct Timing {
-  double min_time_s = 0.005;  ///< executions are repeated until they fill this
+  double min_time_s = 0.005;  ///< CPU time; shorter executions are repeated until they fill it
   bool yardstick = false;     ///< whether the yardstick is measured too, after everything else
 };
 

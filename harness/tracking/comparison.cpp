@@ -65,6 +65,8 @@ bool has_cpu_times(const Runs& runs) {
   });
 }
 
+MachineState state_of(const ResultSet& results) { return machine_state_of(results.runs, results.environments); }
+
 std::string cell_label(const TrackedCell& cell) { return algorithm_label(cell) + " on " + instance_label(cell); }
 
 bool succeeded(const Runs& runs) {
@@ -228,9 +230,7 @@ class Comparer {
     comparison_.cells.insert(comparison_.cells.end(), table.cells.begin(), table.cells.end());
   }
 
-  void note_load() {
-    note("load: base " + load_text(machine_state_of(base_)) + "; new results " + load_text(machine_state_of(now_)));
-  }
+  void note_load() { note("load: base " + load_text(state_of(base_)) + "; new results " + load_text(state_of(now_))); }
 
   /// Of pairs everything can be told; of two folders nothing is excluded unless the machine was in the same state.
   Measuring measuring(bool has_yardstick) {
@@ -244,7 +244,8 @@ class Comparer {
   std::string difference_of_states(bool has_yardstick) const {
     if (!has_yardstick) return "nothing tells whether the machine was as fast both times";
     for (const ResultSet* side : {&base_, &now_}) {
-      if (is_busy(machine_state_of(*side))) return "the machine was busy with other programs";
+      if (was_busy(state_of(*side))) return "the machine was busy with other programs";
+      if (!was_idle(state_of(*side))) return "no CPU times tell whether the machine was busy with other programs";
     }
     std::vector<double> log_ratios;
     for (const CommonCell& cell : common_) {
@@ -374,7 +375,9 @@ Comparison compare(const ResultSet& base, const ResultSet& now, const CompareOpt
                      now.folder + " of version " + std::to_string(now.schema_version) +
                      ": their columns need not mean the same; run the older study anew");
   }
-  return Comparer(base, now, options).compare();
+  if (base.has_ticking_clock == now.has_ticking_clock) return Comparer(base, now, options).compare();
+  // What one side was timed with must be what the other side was timed with.
+  return Comparer(without_short_cpu_times(base), without_short_cpu_times(now), options).compare();
 }
 
 }  // namespace mwt

@@ -280,7 +280,7 @@ TEST(Compare, AnAlgorithmThatVanishedIsARegression) {
   const Comparison comparison = compare(results_of({}, 0), results_of(fewer, 1), {});
   EXPECT_TRUE(comparison.has_sure_regression());
   EXPECT_TRUE(comparison_text(comparison, false)
-                  .starts_with("1 regression (sweep on everywhere: has no runs any more; the base "
+                  .starts_with("1 regression (sweep on all instances: has no runs any more; the base "
                                "has 8 cells)"))
       << comparison_text(comparison, false);
   EXPECT_FALSE(compare(results_of(fewer, 0), results_of({}, 1), {}).has_sure_regression()) << "a new one";
@@ -334,6 +334,18 @@ TEST(Compare, FoldersOfABusyMachineExcludeNothing) {
     EXPECT_NE(text.find("the machine was busy with other programs"), std::string::npos) << text;
     EXPECT_NE(text.find("its runs had the CPU 50% of the time"), std::string::npos) << text;
   }
+}
+
+// Such a base is compared by wall times, on both sides.
+TEST(Compare, ABaseWhoseCpuClockTickedExcludesNothing) {
+  SyntheticStudy study = small_night();
+  study.noise = 0.002;
+  ResultSet base = results_of(study, 0), now = results_of(study, 1);
+  base.has_ticking_clock = true;
+  for (RunRecord& run : now.runs) *run.cpu_time_s /= 2;
+  const Comparison comparison = compare(base, now, {});
+  EXPECT_NEAR(row_of(comparison.algorithms, "flip").ratio.value, 1, 0.01);
+  EXPECT_EQ(comparison.outcome(), Outcome::unclear);
 }
 
 TEST(Compare, FoldersOfAMachineThatBecameSlowerExcludeNothing) {

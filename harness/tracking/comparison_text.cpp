@@ -46,7 +46,7 @@ CsvRow cell_cells(const TimeRow& row, const Comparison& comparison) {
 
 /// Of a finding about an algorithm as a whole there is no instance.
 std::string place_of(const ExactFinding& finding) {
-  return finding.cell.generator.empty() ? "everywhere" : instance_label(finding.cell);
+  return finding.cell.generator.empty() ? "all instances" : instance_label(finding.cell);
 }
 
 CsvRow finding_cells(const ExactFinding& finding) {
@@ -54,9 +54,12 @@ CsvRow finding_cells(const ExactFinding& finding) {
           finding.is_regression ? "regression" : "improvement"};
 }
 
-bool is_told(const TimeRow& row, bool every_cell) {
-  return every_cell || row.verdict == Verdict::regression || row.verdict == Verdict::improvement ||
-         row.verdict == Verdict::unclear;
+/// Which cells are listed.
+enum class Cells { that_differ, that_differ_or_are_unclear, all };
+
+bool is_told(const TimeRow& row, Cells cells) {
+  if (row.verdict == Verdict::regression || row.verdict == Verdict::improvement) return true;
+  return cells == Cells::all || (cells == Cells::that_differ_or_are_unclear && row.verdict == Verdict::unclear);
 }
 
 /// A titled table, whatever it will look like.
@@ -67,7 +70,7 @@ struct Section {
   std::vector<CsvRow> rows;
 };
 
-std::vector<Section> sections_of(const Comparison& comparison, bool every_cell) {
+std::vector<Section> sections_of(const Comparison& comparison, Cells listed) {
   std::vector<Section> sections;
   Section findings{"quality, memory, failures", kFindingHeader, {1, 2, 3}, {}};
   for (const ExactFinding& finding : comparison.findings) findings.rows.push_back(finding_cells(finding));
@@ -75,7 +78,7 @@ std::vector<Section> sections_of(const Comparison& comparison, bool every_cell) 
   for (const TimeRow& row : comparison.algorithms) algorithms.rows.push_back(algorithm_cells(row));
   Section cells{"times by cell (" + comparison.time_measure + ")", kCellHeader, {1, 8}, {}};
   for (const TimeRow& row : comparison.cells) {
-    if (is_told(row, every_cell)) cells.rows.push_back(cell_cells(row, comparison));
+    if (is_told(row, listed)) cells.rows.push_back(cell_cells(row, comparison));
   }
   for (Section* section : {&findings, &algorithms, &cells}) {
     if (!section->rows.empty()) sections.push_back(std::move(*section));
@@ -181,12 +184,37 @@ std::vector<std::string> labels_of(const std::set<TrackedCell>& cells) {
 
 constexpr const char* kInTurn = "what these folders leave open, run by both builds in turn";
 
-/// The text of both parts, each made by `text_of`.
-template <class TextOf>
-std::string both_texts(const Settled& settled, const std::string& title, TextOf text_of) {
-  std::string text = text_of(settled.folders);
-  if (settled.in_turn) text += '\n' + title + "\n\n" + text_of(*settled.in_turn);
+std::string text_of(const Comparison& comparison, Cells listed) {
+  std::string text = verdict_line(comparison) + '\n';
+  for (const std::string& note : comparison.notes) text += "  " + note + '\n';
+  for (const Section& section : sections_of(comparison, listed)) {
+    AlignedTable table(section.header, section.left_aligned);
+    for (const CsvRow& row : section.rows) table.add_row(row);
+    text += '\n' + section.title + '\n' + table.text();
+  }
   return text;
+}
+
+std::string markdown_of(const Comparison& comparison, Cells listed) {
+  std::string text = "**" + verdict_line(comparison) + "**\n\n";
+  for (const std::string& note : comparison.notes) text += "- " + note + '\n';
+  for (const Section& section : sections_of(comparison, listed)) {
+    text += "\n### " + section.title + "\n\n" + markdown_row(section.header) +
+            markdown_row(CsvRow(section.header.size(), "---"));
+    for (const CsvRow& row : section.rows) text += markdown_row(row);
+  }
+  return text;
+}
+
+Cells listed_cells(bool every_cell) { return every_cell ? Cells::all : Cells::that_differ_or_are_unclear; }
+
+/// Both parts, each made by `text_of_part`; what the folders leave unclear is listed where it was settled.
+template <class TextOf>
+std::string both_texts(const Settled& settled, bool every_cell, const std::string& title, TextOf text_of_part) {
+  const Cells listed = listed_cells(every_cell);
+  if (!settled.in_turn) return text_of_part(settled.folders, listed);
+  return text_of_part(settled.folders, every_cell ? Cells::all : Cells::that_differ) + '\n' + title + "\n\n" +
+         text_of_part(*settled.in_turn, listed);
 }
 
 }  // namespace
@@ -218,38 +246,23 @@ std::string verdict_line(const Settled& settled) {
 }
 
 std::string comparison_text(const Comparison& comparison, bool every_cell) {
-  std::string text = verdict_line(comparison) + '\n';
-  for (const std::string& note : comparison.notes) text += "  " + note + '\n';
-  for (const Section& section : sections_of(comparison, every_cell)) {
-    AlignedTable table(section.header, section.left_aligned);
-    for (const CsvRow& row : section.rows) table.add_row(row);
-    text += '\n' + section.title + '\n' + table.text();
-  }
-  return text;
+  return text_of(comparison, listed_cells(every_cell));
 }
 
 std::string comparison_markdown(const Comparison& comparison, bool every_cell) {
-  std::string text = "**" + verdict_line(comparison) + "**\n\n";
-  for (const std::string& note : comparison.notes) text += "- " + note + '\n';
-  for (const Section& section : sections_of(comparison, every_cell)) {
-    text += "\n### " + section.title + "\n\n" + markdown_row(section.header) +
-            markdown_row(CsvRow(section.header.size(), "---"));
-    for (const CsvRow& row : section.rows) text += markdown_row(row);
-  }
-  return text;
+  return markdown_of(comparison, listed_cells(every_cell));
 }
 
 std::string comparison_json(const Comparison& comparison) { return json_of(comparison).dump(1) + '\n'; }
 
 std::string settled_text(const Settled& settled, bool every_cell) {
   return name_of(settled.outcome()) + ": " + verdict_line(settled) + "\n\n" +
-         both_texts(settled, kInTurn, [&](const Comparison& part) { return comparison_text(part, every_cell); });
+         both_texts(settled, every_cell, kInTurn, text_of);
 }
 
 std::string settled_markdown(const Settled& settled, bool every_cell) {
   return "**" + name_of(settled.outcome()) + "**: " + verdict_line(settled) + "\n\n" +
-         both_texts(settled, std::string("## ") + kInTurn,
-                    [&](const Comparison& part) { return comparison_markdown(part, every_cell); });
+         both_texts(settled, every_cell, std::string("## ") + kInTurn, markdown_of);
 }
 
 std::string settled_json(const Settled& settled) {

@@ -12,11 +12,11 @@ constexpr double kShareOfAnIdleMachine = 0.95;
 
 }  // namespace
 
-MachineState machine_state_of(const ResultSet& results) {
+MachineState machine_state_of(const std::vector<RunRecord>& runs, const std::vector<EnvironmentRecord>& environments) {
   MachineState state;
-  if (!results.environments.empty()) state.load_before = results.environments.front().load_1min;
+  if (!environments.empty()) state.load_before = environments.front().load_1min;
   double wall = 0, cpu = 0;
-  for (const RunRecord& run : results.runs) {
+  for (const RunRecord& run : runs) {
     if (run.status != RunStatus::ok || run.threads != 1 || !run.wall_time_s || !run.cpu_time_s) continue;
     const auto executions = static_cast<double>(run.iterations.value_or(1));
     wall += *run.wall_time_s * executions;
@@ -26,7 +26,9 @@ MachineState machine_state_of(const ResultSet& results) {
   return state;
 }
 
-bool is_busy(const MachineState& state) { return state.cpu_share && *state.cpu_share < kShareOfAnIdleMachine; }
+bool was_idle(const MachineState& state) { return state.cpu_share && *state.cpu_share >= kShareOfAnIdleMachine; }
+
+bool was_busy(const MachineState& state) { return state.cpu_share && *state.cpu_share < kShareOfAnIdleMachine; }
 
 std::string load_text(const MachineState& state) {
   const std::string before = state.load_before ? fixed(*state.load_before, 2) + " before the study" : "unknown";

@@ -3,8 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "harness/tracking/result_set.h"
+#include "harness/records.h"
 
 namespace mwt {
 
@@ -13,10 +14,12 @@ struct MachineState {
   std::optional<double> cpu_share;    ///< of the time that runs of one thread took, the share that they had a CPU
 };
 
-[[nodiscard]] MachineState machine_state_of(const ResultSet& results);
+[[nodiscard]] MachineState machine_state_of(const std::vector<RunRecord>& runs,
+                                            const std::vector<EnvironmentRecord>& environments);
 
-/// Whether other programs took part of the runs' time: they had a CPU for less than 95% of it.
-[[nodiscard]] bool is_busy(const MachineState& state);
+/// Whether the runs had a CPU for at least 95% of their time, or surely for less. Neither where no CPU times tell.
+[[nodiscard]] bool was_idle(const MachineState& state);
+[[nodiscard]] bool was_busy(const MachineState& state);
 
 /// "0.14 before the study, its runs had the CPU 99% of the time".
 [[nodiscard]] std::string load_text(const MachineState& state);

@@ -98,15 +98,6 @@ bool shows_ticks(const RunRecord& run) {
   return *run.cpu_time_s == 0 || *run.cpu_time_s > kMostOverhead * *run.wall_time_s;
 }
 
-void leave_out_ticking_times(std::vector<RunRecord>& runs) {
-  constexpr double kHundredTicks = 0.4;
-  if (std::none_of(runs.begin(), runs.end(), shows_ticks)) return;
-  for (RunRecord& run : runs) {
-    const double measured = run.cpu_time_s.value_or(0) * static_cast<double>(run.iterations.value_or(1));
-    if (measured < kHundredTicks) run.cpu_time_s.reset();
-  }
-}
-
 }  // namespace
 
 EnvironmentRecord ResultSet::environment_of(const RunRecord& run) const {
@@ -124,13 +115,22 @@ ResultSet read_results(const std::string& folder) {
                                      {"algorithm", "params", "generator", "n", "seed", "status", "git_commit"});
   results.runs = std::move(runs.records);
   results.schema_version = runs.schema_version;
-  leave_out_ticking_times(results.runs);
+  results.has_ticking_clock = std::any_of(results.runs.begin(), results.runs.end(), shows_ticks);
   const std::string study_file = (path / "study.toml").string();
   if (std::filesystem::exists(study_file)) results.study_file = read_file(study_file);
   const std::string environments = (path / "environments.csv").string();
   if (std::filesystem::exists(environments)) {
     results.environments =
         read_table(environments, environment_columns(), kFirstEnvironmentColumns, {"env_id"}).records;
+  }
+  return results.has_ticking_clock ? without_short_cpu_times(std::move(results)) : results;
+}
+
+ResultSet without_short_cpu_times(ResultSet results) {
+  constexpr double kHundredTicks = 0.4;  // s, of 4 ms each
+  for (RunRecord& run : results.runs) {
+    const double measured = run.cpu_time_s.value_or(0) * static_cast<double>(run.iterations.value_or(1));
+    if (measured < kHundredTicks) run.cpu_time_s.reset();
   }
   return results;
 }

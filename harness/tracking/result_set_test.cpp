@@ -101,7 +101,8 @@ TEST_F(DamagedResults, MissingColumnsAreRefused) {
   write_text(folder_.path("r/runs.csv"), content);
   const std::string expected = "column " + std::to_string(run_columns().size()) + " is nothing where schema version " +
                                kVersion + " has '" + run_columns().back().name + "'";
-  EXPECT_NE(complaint(folder_.path("r")).find(expected), std::string::npos);
+  const std::string found = complaint(folder_.path("r"));
+  EXPECT_NE(found.find(expected), std::string::npos) << found;
 }
 
 TEST_F(DamagedResults, NewerSchemaVersionsAreRefused) {

@@ -5,45 +5,54 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "algorithms/exact/stage_testing.h"
 #include "algorithms/solver_testing.h"
+#include "algorithms/testing/extreme_points.h"
 #include "geometry/predicates.h"
+#include "geometry/scaling.h"
 
 namespace mwt {
 namespace {
+
+// Holds differences of doubles, products of two and multiples of these without rounding.
+using Exact =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<4400, boost::multiprecision::digit_base_2>>;
 
 using stage_testing::diamond_candidates;
 using stage_testing::edges_in;
 using stage_testing::instances_of_all_families;
 using stage_testing::reordered_edges;
 
-// Which sides of an edge have a point in their open diamond triangle, by the definition, in long double.
+// Which sides of an edge have a point in their open diamond triangle, by the definition, in these numbers.
+template <class Number>
 class Diamonds {
  public:
   Diamonds(const Point& p, const Point& q) : p_(p), x_(difference(q.x, p.x)), y_(difference(q.y, p.y)) {}
 
   // +1: in the left triangle, -1: in the right one, 0: in none.
   [[nodiscard]] int side_of(const Point& r) const {
-    const long double x = difference(r.x, p_.x), y = difference(r.y, p_.y);
-    const long double along = x * x_ + y * y_, height = x_ * y - y_ * x;
-    const long double nearer_end = std::min(along, x_ * x_ + y_ * y_ - along);
-    if (std::abs(height) >= kTangent * nearer_end) return 0;
+    const Number x = difference(r.x, p_.x), y = difference(r.y, p_.y);
+    const Number along = x * x_ + y * y_, height = x_ * y - y_ * x, beyond = x_ * x_ + y_ * y_ - along;
+    const Number nearer_end = along < beyond ? along : beyond, distance = height < 0 ? Number(-height) : height;
+    if (distance >= tangent() * nearer_end) return 0;
     return height > 0 ? 1 : height < 0 ? -1 : 0;
   }
 
  private:
-  static long double difference(double a, double b) { return static_cast<long double>(a) - b; }
+  static Number difference(double a, double b) { return Number(a) - Number(b); }
+  static Number tangent() { return Number(std::tan(std::numbers::pi_v<long double> / 4.6L)); }
 
-  inline static const long double kTangent = std::tan(std::numbers::pi_v<long double> / 4.6L);
   Point p_;
-  long double x_, y_;
+  Number x_, y_;
 };
 
+template <class Number>
 bool is_excluded(Points points, Index p, Index q) {
-  const Diamonds diamonds(points[p], points[q]);
+  const Diamonds<Number> diamonds(points[p], points[q]);
   bool left = false, right = false;
   for (const Point& r : points) {
     const int side = diamonds.side_of(r);
@@ -58,7 +67,8 @@ void expect_reasons_for_exclusion(Points points, const std::set<Edge>& candidate
   for (Index p = 0; p < points.size(); ++p) {
     for (Index q = p + 1; q < points.size(); ++q) {
       if (candidates.contains({p, q})) continue;
-      ASSERT_TRUE(is_excluded(points, p, q)) << p << ' ' << q << " is missing for no reason";
+      const bool is_missing_for_a_reason = is_excluded<long double>(points, p, q) || is_excluded<Exact>(points, p, q);
+      ASSERT_TRUE(is_missing_for_a_reason) << p << ' ' << q;
     }
   }
 }
@@ -87,6 +97,18 @@ TEST(DiamondCandidates, HoldAtAllScales) {
     for (Point& p : points) p = {p.x * scale, p.y * scale};
     const KdOrder order = make_kd_order(points);
     expect_reasons_for_exclusion(order.points, edges_in(diamond_candidates(order)));
+  }
+}
+
+TEST(DiamondCandidates, HoldAtTheLimitsOfFloats) {
+  for (std::uint64_t seed = 0; seed < 800; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto kind = static_cast<test::ExtremePoints::Kind>(seed % test::ExtremePoints::kKinds);
+    const std::vector<Point> points = exactly_scaled(test::ExtremePoints(seed).draw(kind, 5 + seed % 20));
+    if (points.empty()) continue;
+    const KdOrder order = make_kd_order(points);
+    expect_reasons_for_exclusion(order.points, edges_in(diamond_candidates(order)));
+    if (HasFatalFailure()) return;
   }
 }
 

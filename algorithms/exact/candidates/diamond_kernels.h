@@ -10,8 +10,8 @@
 
 namespace mwt {
 
-/// Shorter scaled distances are too short for the diamond test: such near points block nothing, such edges are kept, and
-/// such boxes of the tree count as touching.
+/// Shorter scaled distances are too short for the diamond test: such near points block nothing, such edges are kept,
+/// and such boxes of the tree count as touching.
 ///
 /// Scaled coordinates (see NearPoints::scale) are at most 2^61, so that no sum of their products exceeds 2^125 in
 /// floats. At this distance and above, vectors err by 2^-24 of their length from rounding to float and by 2^-150 where

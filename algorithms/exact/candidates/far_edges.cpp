@@ -24,7 +24,8 @@ struct Neighbour {
   Index vertex;
 };
 
-// By distance: the nearest first, up to kWitnesses of them in order. Those whose vectors floats cannot hold are left out.
+// By distance: the nearest first, up to kWitnesses of them in order. Those whose vectors floats cannot hold are left
+// out.
 void collect_neighbours(const Star& star, std::vector<Neighbour>& neighbours) {
   neighbours.clear();
   for (std::uint32_t i = 0; i < star.count; ++i) {

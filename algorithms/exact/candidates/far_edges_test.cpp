@@ -20,6 +20,19 @@ TEST(FarEdges, ThereAreNoneAmongUniformPoints) {
   EXPECT_EQ(solve_to_optimality("exact", generate("uniform", 300, 1)).counters.at("far_edges_deleted"), 0);
 }
 
+// The nearest neighbours are too near for floats: they decide nothing, the others do.
+TEST(FarEdges, OptimaOverMoreScalesThanFloatsHaveStayTheSame) {
+  double deleted = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::vector<Point> points = generate("log_radial", 13, seed, {{"octaves", seed % 2 == 0 ? "160" : "300"}});
+    const Solution solution = solve_to_optimality("exact", points);
+    EXPECT_TRUE(overlap(*solution.optimum, *solve_to_optimality("subset_dp", points).optimum));
+    deleted += solution.counters.at("far_edges_deleted");
+  }
+  EXPECT_GT(deleted, 0);
+}
+
 // Deleting too much would show as a heavier optimum.
 TEST(FarEdges, OptimaOverManyScalesStayTheSame) {
   double deleted = 0;

@@ -4,11 +4,14 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/exact/naive_candidates.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/stage_testing.h"
 #include "algorithms/solver_testing.h"
+#include "algorithms/testing/extreme_points.h"
+#include "geometry/scaling.h"
 
 namespace mwt {
 namespace {
@@ -37,6 +40,25 @@ TEST(LmtSkeleton, ContainsTheOptimum) {
     SCOPED_TRACE(name);
     expect_optimum_survives(points, "triangle_lp");
   }
+}
+
+// What floats cannot hold decides nothing: optimal edges were deleted where their products underflowed.
+TEST(LmtSkeleton, ContainsTheOptimumAtTheLimitsOfFloats) {
+  for (std::uint64_t seed = 0; seed < 1600; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto kind = static_cast<test::ExtremePoints::Kind>(seed % test::ExtremePoints::kKinds);
+    const std::vector<Point> points = test::ExtremePoints(seed).draw(kind, 5 + seed % 5);
+    if (!points.empty()) expect_optimum_survives(exactly_scaled(points), "subset_dp");
+  }
+}
+
+TEST(Star, HoldsComponentsThatFloatsCanMultiply) {
+  EXPECT_EQ(Star::component(0, 0x1p60), 0);
+  EXPECT_EQ(Star::component(-3, 0x1p58), -0x3p58F);
+  EXPECT_EQ(Star::component(0x1p-110, 0x1p60), Star::kSmallestComponent);
+  EXPECT_TRUE(std::isnan(Star::component(0x1.fffp-111, 0x1p60)));
+  EXPECT_TRUE(std::isnan(Star::component(-0x1p-1074, 0x1p60)));
+  EXPECT_TRUE(std::isnan(Star::component(0x1p-1074, 0x1p-900))) << "the product is 0";
 }
 
 TEST(LmtSkeletonSlow, ContainsTheOptimum) {

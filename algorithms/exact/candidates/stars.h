@@ -11,8 +11,8 @@
 namespace mwt {
 
 /// One vertex's halfedges as structure of arrays: four rows of `capacity` words, of which the first `count` are in use.
-/// Row 0: the other end, ascending. Rows 1, 2: the vector to it (see component()). Row 3: the edge's certificate, as the
-/// positions in this star of its left and right apex (16 bits each).
+/// Row 0: the other end, ascending. Rows 1, 2: the vector to it (see component()). Row 3: the edge's certificate, as
+/// the positions in this star of its left and right apex (16 bits each).
 struct Star {
   static constexpr std::uint32_t kNoCertificate = std::numeric_limits<std::uint32_t>::max();
   /// Positions fit into 16 bits; edges at larger stars are left as they are.
@@ -22,8 +22,8 @@ struct Star {
   static constexpr std::uint32_t kWorthExamining = 512;
 
   /// A component of a vector: the difference of two coordinates times the scale (distance_scale() in near_points.h), as
-  /// a float. Exact zeros stay; what is smaller than kSmallestComponent otherwise is not a number: no comparison with it
-  /// holds, so none decides anything.
+  /// a float. Exact zeros stay; what is smaller than kSmallestComponent otherwise is not a number: no comparison with
+  /// it holds, so none decides anything.
   ///
   /// So each component errs by 2^-24 of itself at most, and products of two are 0 or between 2^-100 and 2^123: sums of
   /// a few of them keep relative error bounds, as do margins down to 2^-26 of such products, which are normal numbers
