@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
+#include <stdexcept>
 
 namespace mwt {
 namespace {
@@ -71,6 +73,50 @@ TEST(Records, MalformedRowsAreNone) {
   row.pop_back();
   row[11] = "ten";  // n
   EXPECT_FALSE(from_row(run_columns(), row));
+}
+
+// The message of the exception for a finished run with one field replaced.
+std::string mistake(const std::string& column, const std::string& text) {
+  RunRecord record;
+  record.status = RunStatus::ok;
+  record.n = 5;
+  record.weight_lower = record.weight_upper = 2;
+  record.alpha_lower = record.alpha_upper = 1;
+  const CsvRow header = header_of(run_columns());
+  CsvRow row = to_row(run_columns(), record);
+  const auto place = std::find(header.begin(), header.end(), column) - header.begin();
+  row.at(static_cast<std::size_t>(place)) = text;
+  try {
+    static_cast<void>(record_of(run_columns(), row));
+  } catch (const std::invalid_argument& what) {
+    return what.what();
+  }
+  return "";
+}
+
+TEST(Records, TimesAreFiniteAndNotNegative) {
+  for (const char* column : {"wall_time_s", "cpu_time_s", "yardstick_time_s", "time_limit_s"}) {
+    EXPECT_EQ(mistake(column, "0.25"), "");
+    for (const char* text : {"nan", "-nan", "inf", "-1", "1e999", "1.5s", " 1"})
+      EXPECT_EQ(mistake(column, text), "'" + std::string(text) + "' is no " + column);
+  }
+}
+
+TEST(Records, MeasuresAreNumbers) {
+  for (const char* column : {"weight_lower", "alpha_upper", "perimeter_sum"}) {
+    for (const char* text : {"nan", "x", "0x10", "1,5"})
+      EXPECT_EQ(mistake(column, text), "'" + std::string(text) + "' is no " + column);
+  }
+  for (const char* text : {"-1", "1.5", "18446744073709551616", ""})
+    EXPECT_EQ(mistake("seed", text), "'" + std::string(text) + "' is no seed");
+}
+
+// Such rows were internal failures of report and run.
+TEST(Records, FieldsThatContradictEachOtherAreNamed) {
+  EXPECT_EQ(mistake("weight_upper", ""), "only one of weight_lower and weight_upper is there");
+  EXPECT_EQ(mistake("weight_lower", "3"), "weight_lower is above weight_upper");
+  EXPECT_EQ(mistake("alpha_lower", ""), "only one of alpha_lower and alpha_upper is there");
+  EXPECT_EQ(mistake("n", "0"), "a run on no points cannot be ok");
 }
 
 TEST(Records, AReasonThatIsNoneIsMalformed) {
