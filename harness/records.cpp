@@ -181,20 +181,57 @@ const std::vector<Column<EnvironmentRecord>>& environment_columns() {
   return columns;
 }
 
+namespace {
+
+[[noreturn]] void refuse_row(const std::string& what) { throw std::invalid_argument(what); }
+
+void require_interval(const std::optional<double>& lower, const std::optional<double>& upper, const std::string& name) {
+  if (lower.has_value() != upper.has_value())
+    refuse_row("only one of " + name + "_lower and " + name + "_upper is there");
+  if (lower && *lower > *upper) refuse_row(name + "_lower is above " + name + "_upper");
+}
+
+}  // namespace
+
+void require_consistent(const RunRecord& record) {
+  require_interval(record.weight_lower, record.weight_upper, "weight");
+  require_interval(record.optimum_lower, record.optimum_upper, "optimum");
+  require_interval(record.alpha_lower, record.alpha_upper, "alpha");
+  if (record.status != RunStatus::ok) return;
+  if (record.n == 0) refuse_row("a run on no points cannot be ok");
+  if (!record.weight_upper) refuse_row("status is ok, but there is no weight_upper");
+}
+
+void require_consistent(const InstanceRecord& record) {
+  require_interval(record.optimum_lower, record.optimum_upper, "optimum");
+}
+
+void require_consistent(const EnvironmentRecord&) {}
+
+namespace {
+
 template <class Record>
-Record record_of(const std::vector<Column<Record>>& columns, const CsvRow& row) {
+Record read_fields(const std::vector<Column<Record>>& columns, const CsvRow& row) {
   if (row.size() != columns.size()) {
-    throw std::invalid_argument(std::to_string(row.size()) + " fields where there should be " +
-                                std::to_string(columns.size()));
+    refuse_row(std::to_string(row.size()) + " fields where there should be " + std::to_string(columns.size()));
   }
   Record record;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     try {
       columns[i].read(record, row[i]);
     } catch (const std::invalid_argument&) {
-      throw std::invalid_argument(shown(row[i]) + " is no " + columns[i].name);
+      refuse_row(shown(row[i]) + " is no " + columns[i].name);
     }
   }
+  return record;
+}
+
+}  // namespace
+
+template <class Record>
+Record record_of(const std::vector<Column<Record>>& columns, const CsvRow& row) {
+  const Record record = read_fields(columns, row);
+  require_consistent(record);
   return record;
 }
 
@@ -205,7 +242,7 @@ template EnvironmentRecord record_of(const std::vector<Column<EnvironmentRecord>
 template <class Record>
 std::optional<Record> from_row(const std::vector<Column<Record>>& columns, const CsvRow& row) {
   try {
-    return record_of(columns, row);
+    return read_fields(columns, row);
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }

@@ -148,12 +148,18 @@ template <class Record>
   return row;
 }
 
-/// The record of a row. Throws std::invalid_argument "'nan' is no wall_time_s" if the row has a malformed field, or
-/// another number of fields than columns.
+/// Throws std::invalid_argument if fields contradict each other: the ends of an interval, or a finished run without
+/// what such a run has.
+void require_consistent(const RunRecord& record);
+void require_consistent(const InstanceRecord& record);
+void require_consistent(const EnvironmentRecord& record);
+
+/// The record of a row. Throws std::invalid_argument "'nan' is no wall_time_s" if the row has a malformed field or
+/// another number of fields than columns, or is not consistent.
 template <class Record>
 [[nodiscard]] Record record_of(const std::vector<Column<Record>>& columns, const CsvRow& row);
 
-/// The same, or nothing.
+/// The record of a row that need not be consistent yet, or nothing.
 template <class Record>
 [[nodiscard]] std::optional<Record> from_row(const std::vector<Column<Record>>& columns, const CsvRow& row);
 

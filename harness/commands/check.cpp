@@ -6,6 +6,7 @@
 #include "geometry/point_set.h"
 #include "geometry/triangulation_file.h"
 #include "harness/commands/commands.h"
+#include "harness/commands/file_options.h"
 #include "harness/given_triangulation.h"
 
 namespace mwt {
@@ -18,6 +19,7 @@ struct Options {
 };
 
 std::optional<std::string> complaint_about(const Options& options) {
+  require_one_from_standard_input({options.points, options.triangles});
   const std::vector<Point> input = read_points(options.points);
   const PointSet set = make_point_set(input, source_name(options.points));
   return broken_rule(set, input, read_triangles(options.triangles));

@@ -119,6 +119,12 @@ TEST_F(Commands, NothingIsOverwrittenByAFailure) {
   EXPECT_EQ(read("p.txt"), "precious");
 }
 
+TEST_F(Commands, AnExportDoesNotTakeTheHistorysPlace) {
+  write("h.sqlite", "precious");
+  expect_mistake("history export --csv --history h.sqlite -o ./h.sqlite", "would overwrite the input (h.sqlite)");
+  EXPECT_EQ(read("h.sqlite"), "precious");
+}
+
 TEST_F(Commands, MistakesInStudies) {
   write("bad.toml",
         "name = \"bad\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [10]\nalgorithms = [\"*\"]\ntime = 3\n");
@@ -185,6 +191,7 @@ TEST_F(Commands, CheckSaysWhichRuleBroke) {
   EXPECT_EQ(range.exit_code, 1);
   EXPECT_NE(range.output.find("corner 9"), std::string::npos) << range.output;
   expect_mistake("check p.txt words.csv", "words.csv:2");
+  expect_mistake("check - -", "standard input can be read once");
 }
 
 TEST_F(Commands, AOneBasedTriangleFileGetsTheSameWordsEverywhere) {

@@ -12,7 +12,7 @@
 #include "geometry/weight.h"
 #include "harness/aligned_table.h"
 #include "harness/commands/commands.h"
-#include "harness/commands/output_options.h"
+#include "harness/commands/file_options.h"
 #include "harness/given_triangulation.h"
 #include "harness/text.h"
 
@@ -70,16 +70,17 @@ std::string comparison(const Options& options, Points points, const std::vector<
   return table.text();
 }
 
-void require_usable_output(const Options& options) {
+void require_usable_files(const Options& options) {
   std::vector<std::string> inputs = {options.points, options.triangles};
   if (!options.other.empty()) inputs.push_back(options.other);
+  require_one_from_standard_input(inputs);
   const OutputOption output{"--output", options.output};
   require_usable_outputs({&output, 1}, inputs);
   require_picture_name(options.output);
 }
 
 int draw(const Options& options) {
-  require_usable_output(options);
+  require_usable_files(options);
   const std::vector<Point> input = read_points(options.points);
   const PointSet set = make_point_set(input, source_name(options.points));
   const std::vector<Edge> edges = edges_in_input(options.triangles, set, input);

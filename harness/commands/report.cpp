@@ -7,7 +7,7 @@
 
 #include "geometry/output_file.h"
 #include "harness/commands/commands.h"
-#include "harness/commands/output_options.h"
+#include "harness/commands/file_options.h"
 
 namespace mwt {
 

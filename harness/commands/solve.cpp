@@ -10,7 +10,7 @@
 #include "geometry/triangulation_file.h"
 #include "harness/catalogue.h"
 #include "harness/commands/commands.h"
-#include "harness/commands/output_options.h"
+#include "harness/commands/file_options.h"
 #include "harness/execution.h"
 #include "harness/given_triangulation.h"
 #include "harness/json_output.h"

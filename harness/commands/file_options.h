@@ -1,4 +1,4 @@
-// What a command writes besides its report: checked before any work is done.
+// The files that a command reads, and writes besides its report: checked before any work is done.
 #pragma once
 
 #include <optional>
@@ -17,6 +17,9 @@ struct OutputOption {
 /// Throws InputError: an output is one of the inputs, two outputs are the same file or both standard output, or one
 /// cannot be written. Changes nothing.
 void require_usable_outputs(std::span<const OutputOption> outputs, const std::vector<std::string>& inputs);
+
+/// Throws InputError if two inputs are "-": standard input can be read once.
+void require_one_from_standard_input(const std::vector<std::string>& inputs);
 
 /// The one that goes to standard output, if any.
 [[nodiscard]] std::optional<OutputOption> output_to_standard_output(std::span<const OutputOption> outputs);

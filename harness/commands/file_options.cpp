@@ -1,4 +1,4 @@
-#include "harness/commands/output_options.h"
+#include "harness/commands/file_options.h"
 
 #include <algorithm>
 
@@ -37,6 +37,11 @@ void require_usable_outputs(std::span<const OutputOption> outputs, const std::ve
     require_no_input(outputs[i], inputs);
     require_writable(outputs[i].path);
   }
+}
+
+void require_one_from_standard_input(const std::vector<std::string>& inputs) {
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
+    throw InputError("two files are - but standard input can be read once; give one of them a name");
 }
 
 std::optional<OutputOption> output_to_standard_output(std::span<const OutputOption> outputs) {
