@@ -38,7 +38,7 @@ std::optional<Answer> answer_of(const std::string& solver, Points points,
 constexpr double kProvedWidth = 1e-12;
 
 bool claims_the_optimum(const Answer& answer) {
-  if (!answer.solution.optimum || answer.solution.stopped_early) return false;
+  if (!answer.solution.optimum || answer.solution.stopped_early()) return false;
   const bool is_denormal = answer.weight.upper < 0x1p-1000;  // where no interval of doubles is as narrow as a proof's
   return is_denormal || answer.solution.optimum->relative_width() <= kProvedWidth;
 }

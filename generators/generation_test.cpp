@@ -83,10 +83,10 @@ TEST(Generation, AnUndeclaredParameterIsNamed) {
     static_cast<void>(generate_verified(info, 10, 7, Parameters(info.name, info.parameters, {})));
     ADD_FAILURE();
   } catch (const GeneratorFailure& failure) {
-    EXPECT_EQ(
-        std::string(failure.what()),
-        "generator broken: its code asks for a parameter 'sgima' that its entry does not declare; it declares sigma "
-        "for n=10 seed=7; its function is wrong");
+    EXPECT_EQ(std::string(failure.what()),
+              "generator broken: the code of 'broken' reads a parameter 'sgima' that its entry does not declare; it "
+              "declares sigma "
+              "for n=10 seed=7; its function is wrong");
   }
 }
 

@@ -50,7 +50,8 @@ std::string valid_value(const std::string& owner, const ParameterInfo& info, con
 }  // namespace
 
 Parameters::Parameters(const std::string& owner, const std::vector<ParameterInfo>& declared,
-                       const std::map<std::string, std::string>& given) {
+                       const std::map<std::string, std::string>& given)
+    : owner_(owner) {
   std::vector<std::string> names;
   for (const ParameterInfo& info : declared) {
     values_[info.name] = info.default_value;
@@ -81,7 +82,8 @@ const std::string& Parameters::value_of(const std::string& name) const {
   if (entry != values_.end()) return entry->second;
   std::vector<std::string> declared;
   for (const auto& [known, value] : values_) declared.push_back(known);
-  throw std::out_of_range("its code asks for a parameter '" + name + "' that its entry does not declare; it declares " +
+  throw std::out_of_range("the code of '" + owner_ + "' reads a parameter '" + name +
+                          "' that its entry does not declare; it declares " +
                           (declared.empty() ? "none" : joined(declared)));
 }
 

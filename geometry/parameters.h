@@ -45,6 +45,7 @@ class Parameters {
  private:
   [[nodiscard]] const std::string& value_of(const std::string& name) const;
 
+  std::string owner_;  // for messages
   std::map<std::string, std::string> values_;
 };
 

@@ -98,7 +98,7 @@ TEST(Parameters, AnUndeclaredNameIsToldAsAMistakeOfTheCode) {
     ADD_FAILURE();
   } catch (const std::out_of_range& failure) {
     EXPECT_EQ(std::string(failure.what()),
-              "its code asks for a parameter 'sgima' that its entry does not declare; it declares sigma");
+              "the code of 'owner' reads a parameter 'sgima' that its entry does not declare; it declares sigma");
   }
 }
 

@@ -16,6 +16,7 @@
 #include "geometry/point.h"
 #include "harness/csv.h"
 #include "harness/status.h"
+#include "harness/text.h"
 
 namespace mwt {
 
@@ -172,8 +173,8 @@ template <class Record>
 /// "uniform n=100 seed=1", with the generator's parameters: the instance of a row, for messages.
 template <class Record>
 [[nodiscard]] std::string label_of_instance(const Record& record) {
-  return record.generator + (record.generator_params.empty() ? "" : ' ' + record.generator_params) +
-         " n=" + std::to_string(record.n) + " seed=" + std::to_string(record.seed);
+  return name_with_parameters(record.generator, record.generator_params) + " n=" + std::to_string(record.n) +
+         " seed=" + std::to_string(record.seed);
 }
 
 /// "name=value name=value", values in their shortest form: phases and counters in one field. Blanks in names become

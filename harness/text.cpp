@@ -114,6 +114,10 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
   return text;
 }
 
+std::string name_with_parameters(const std::string& name, const std::string& parameters) {
+  return parameters.empty() ? name : name + ' ' + parameters;
+}
+
 std::string short_hash(std::string_view text) {
   const DigestContext context = begin_sha256();
   EVP_DigestUpdate(context.get(), text.data(), text.size());

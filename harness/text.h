@@ -26,6 +26,9 @@ namespace mwt {
 
 [[nodiscard]] std::string joined(const std::vector<std::string>& words, std::string_view separator = ", ");
 
+/// "patch k=14", or the name alone without parameters: what tables and messages call a configuration.
+[[nodiscard]] std::string name_with_parameters(const std::string& name, const std::string& parameters);
+
 /// The first 16 hexadecimal digits of the SHA-256 of `text`: ids of runs and environments.
 [[nodiscard]] std::string short_hash(std::string_view text);
 

@@ -49,6 +49,7 @@ TEST(PreparedCell, SkipsWhatCannotBeTimed) {
   EXPECT_EQ(prepared("declines", "uniform", 10).reason_to_skip, "takes nothing");
   EXPECT_TRUE(prepared("invalid", "uniform", 10).reason_to_skip.starts_with("invalid output"));
   EXPECT_NE(prepared("well", "report_example", 11).reason_to_skip, "");
+  EXPECT_EQ(prepared("throws", "uniform", 10).reason_to_skip, "lost\nits way");
 }
 
 TEST(PreparedCell, AnAlgorithmThatCertifiesTooMuchIsSkippedAndRatesNobody) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "harness/aligned_table.h"
+#include "harness/text.h"
 
 namespace mwt {
 
@@ -44,7 +45,7 @@ std::string shortened(const std::string& message) {
 
 std::vector<std::string> row_of(const RunsOfAKind& failures) {
   const RunRecord& run = *failures.first;
-  return {run.params.empty() ? run.algorithm : run.algorithm + ' ' + run.params, std::string(name_of(run.status)),
+  return {name_with_parameters(run.algorithm, run.params), std::string(name_of(run.status)),
           std::to_string(failures.count), label_of_instance(run), shortened(run.message)};
 }
 

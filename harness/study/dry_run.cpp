@@ -32,10 +32,6 @@ std::string listed(const std::set<Number>& numbers) {
   return joined(texts, " ");
 }
 
-std::string with_parameters(const std::string& name, const std::string& parameters) {
-  return parameters.empty() ? name : joined({name, parameters}, " ");
-}
-
 std::string family_table(const Plan& plan) {
   struct Row {
     std::string name;
@@ -46,7 +42,7 @@ std::string family_table(const Plan& plan) {
   std::vector<Row> rows;
   for (const PlannedInstance& instance : plan.instances) {
     const bool is_file = instance.generator == kFileGenerator;  // every one has a name of its own
-    const std::string name = with_parameters(instance.generator, is_file ? "" : instance.parameters);
+    const std::string name = name_with_parameters(instance.generator, is_file ? "" : instance.parameters);
     if (rows.empty() || rows.back().name != name) rows.push_back({name, {}, {}});
     rows.back().sizes.insert(instance.n);
     rows.back().seeds.insert(instance.seed);
@@ -67,7 +63,7 @@ std::string algorithm_table(const Plan& plan) {
   };
   std::map<std::string, Row> rows;
   for (const PlannedRun& run : plan.runs) {
-    Row& row = rows[with_parameters(run.algorithm->name, run.parameters.canonical())];
+    Row& row = rows[name_with_parameters(run.algorithm->name, run.parameters.canonical())];
     ++(is_within_reach(run, plan) ? row.runs : row.beyond);
     row.largest_n = run.largest_n;
   }

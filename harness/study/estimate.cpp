@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "harness/study/optimum_search.h"
+#include "harness/text.h"
 
 namespace mwt {
 
@@ -18,10 +19,6 @@ constexpr double kOverheadPerRunAndPoint = 2e-6;
 constexpr double kOverheadPerInstancePoint = 4e-6;
 // Google Benchmark doubles its way up until the executions fill the minimum.
 constexpr double kFillingFactor = 2;
-
-std::string named(const std::string& name, const std::string& parameters) {
-  return parameters.empty() ? name : name + ' ' + parameters;
-}
 
 class WorkList {
  public:
@@ -52,8 +49,8 @@ std::vector<PlannedWork> planned_work(const Study& study, const Catalogue& catal
     if (!is_within_reach(run, plan)) continue;
     const PlannedInstance& instance = plan.instances[run.instance];
     PlannedWork work;
-    work.cell = {named(run.algorithm->name, run.parameters.canonical()), named(instance.generator, instance.parameters),
-                 instance.n};
+    work.cell = {name_with_parameters(run.algorithm->name, run.parameters.canonical()),
+                 name_with_parameters(instance.generator, instance.parameters), instance.n};
     work.algorithm = run.algorithm;
     work.parameters = run.parameters;
     work.has_start_file = run.start_file.has_value();
@@ -70,8 +67,8 @@ std::vector<PlannedWork> planned_work(const Study& study, const Catalogue& catal
     PlannedWork work;
     work.algorithm = *source;
     work.parameters = Parameters(work.algorithm->name, work.algorithm->parameters, {});
-    work.cell = {named(work.algorithm->name, work.parameters.canonical()),
-                 named(instance.generator, instance.parameters), instance.n};
+    work.cell = {name_with_parameters(work.algorithm->name, work.parameters.canonical()),
+                 name_with_parameters(instance.generator, instance.parameters), instance.n};
     work.instance = i;
     work.limit_s = study.optimum_limits.time_s + study.optimum_limits.grace_s;
     work.is_search = true;

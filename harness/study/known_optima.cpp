@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "harness/quality.h"
+#include "harness/text.h"
 
 namespace mwt {
 
@@ -12,9 +13,7 @@ namespace {
 // A lower bound that says nothing is no claim.
 bool is_claim(const std::optional<double>& lower) { return lower && *lower > 0 && std::isfinite(*lower); }
 
-std::string solver_of(const RunRecord& run) {
-  return run.params.empty() ? run.algorithm : run.algorithm + ' ' + run.params;
-}
+std::string solver_of(const RunRecord& run) { return name_with_parameters(run.algorithm, run.params); }
 
 std::string solver_of(const InstanceRecord& instance) {
   const bool is_cached = instance.optimum_note == kCachedNote;

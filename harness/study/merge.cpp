@@ -22,13 +22,12 @@ struct Part {
 };
 
 std::string label_of(const RunRecord& run) {
-  return run.algorithm + (run.params.empty() ? "" : " " + run.params) + " on " + label_of_instance(run) +
+  return name_with_parameters(run.algorithm, run.params) + " on " + label_of_instance(run) +
          " repetition=" + std::to_string(run.repetition);
 }
 
 std::string label_of(const PlannedRun& run, const Plan& plan) {
-  const std::string parameters = run.parameters.canonical();
-  return run.algorithm->name + (parameters.empty() ? "" : " " + parameters) + " on " +
+  return name_with_parameters(run.algorithm->name, run.parameters.canonical()) + " on " +
          plan.instances[run.instance].label() + " repetition=" + std::to_string(run.repetition);
 }
 

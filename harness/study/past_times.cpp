@@ -8,6 +8,7 @@
 #include "geometry/error.h"
 #include "harness/quality.h"
 #include "harness/study/results_folder.h"
+#include "harness/text.h"
 
 namespace mwt {
 
@@ -17,10 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr int kDeepest = 2;
 constexpr double kNearLimit = 0.9;
-
-std::string named(const std::string& name, const std::string& parameters) {
-  return parameters.empty() ? name : name + ' ' + parameters;
-}
 
 std::set<fs::path> results_folders(const std::vector<std::string>& roots) {
   std::set<fs::path> found;
@@ -78,13 +75,16 @@ PastTimes add_past_times(TimeModel& model, const std::vector<std::string>& folde
     for (const RunRecord& run : records.runs) {
       const auto observation = observed(run);
       if (!observation || run.threads != threads || !environments.contains(run.env_id)) continue;
-      model.add({named(run.algorithm, run.params), named(run.generator, run.generator_params), run.n}, *observation);
+      model.add({name_with_parameters(run.algorithm, run.params),
+                 name_with_parameters(run.generator, run.generator_params), run.n},
+                *observation);
       ++past.runs;
     }
     for (const InstanceRecord& instance : records.instances) {
       if (!tells_time_of_its_source(instance) || !environments.contains(instance.env_id)) continue;
-      model.add({instance.optimum_source, named(instance.generator, instance.generator_params), instance.n},
-                {*instance.optimum_time_s, false, true});
+      model.add(
+          {instance.optimum_source, name_with_parameters(instance.generator, instance.generator_params), instance.n},
+          {*instance.optimum_time_s, false, true});
     }
     if (past.runs > before) ++past.folders;
   }

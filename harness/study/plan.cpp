@@ -148,8 +148,7 @@ class Planner {
   Index legal_n(const Source& source, Index wanted) {
     std::string complaint;
     const Index n = nearest_legal_n(source, wanted, complaint);
-    const std::string parameters = source.parameters.canonical();
-    const std::string family = source.family.name + (parameters.empty() ? "" : ' ' + parameters);
+    const std::string family = name_with_parameters(source.family.name, source.parameters.canonical());
     if (n == 0) plan_.notes.push_back("left out: " + family + " n=" + std::to_string(wanted) + ": " + complaint);
     if (n != 0 && n != wanted) {
       plan_.notes.push_back(family + " has no n=" + std::to_string(wanted) + "; taken: n=" + std::to_string(n));
@@ -215,8 +214,7 @@ class Planner {
 }  // namespace
 
 std::string PlannedInstance::label() const {
-  return generator + (parameters.empty() ? "" : " " + parameters) + " n=" + std::to_string(n) +
-         " seed=" + std::to_string(seed);
+  return name_with_parameters(generator, parameters) + " n=" + std::to_string(n) + " seed=" + std::to_string(seed);
 }
 
 Index largest_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study) {

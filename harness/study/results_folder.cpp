@@ -78,6 +78,7 @@ std::string read_regular_file(const std::string& file) {
 }
 
 void make_folder(const fs::path& folder) {
+  if (folder.empty()) throw InputError("the results folder has an empty name; give it one with --out");
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error && fs::is_directory(folder, error)) return;

@@ -51,8 +51,8 @@ void require_planned(const StudySession& session) {
   if (session.options.accepts_other_build) return;
   for (const RunRecord& run : session.folder.runs()) {
     if (session.planned_ids.contains(run.run_id)) continue;
-    throw InputError(session.options.folder + ": its run of " + run.algorithm + ' ' + run.params + " on " +
-                     label_of_instance(run) +
+    throw InputError(session.options.folder + ": its run of " + name_with_parameters(run.algorithm, run.params) +
+                     " on " + label_of_instance(run) +
                      " is none of this study any more: a point file, a start file or this mwt has changed or is gone;"
                      " restore it, choose a new folder with --out, or keep such runs with --accept-other-build");
   }

@@ -83,7 +83,7 @@ TEST(RunStudy, EveryMisbehaviourIsOneRow) {
   EXPECT_TRUE(runs["claims"].message.starts_with("CONTRADICTION: claims certified")) << runs["claims"].message;
   EXPECT_EQ(runs["grumbles"].message, "an undeclared parameter; standard error: on standard error");
   EXPECT_EQ(runs["misspells"].message,
-            "its code asks for a parameter 'kk' that its entry does not declare; it declares k, start");
+            "the code of 'misspells' reads a parameter 'kk' that its entry does not declare; it declares k, start");
   EXPECT_EQ(outcome.runs, 14u);
   EXPECT_EQ(outcome.failures, 10u);
 }
@@ -271,6 +271,30 @@ TEST(RunStudy, ADisprovedCachedOptimumIsThrownOutAndSoughtAnew) {
   EXPECT_EQ(records.instances[0].optimum_note, kCachedNote) << "by then a run had proved it";
   EXPECT_EQ(cache.find(key)->interval.upper, *right.weight_upper);
   EXPECT_EQ(files_in(folder.path("optima")), 1u) << "the other version's entry is disproved, too";
+}
+
+TEST(RunStudy, CachedOptimaThatExcludeEachOtherAreSoughtAnew) {
+  const TestFolder folder;
+  Study study = study_of({"well"}, "fan");
+  study.seeks_optimum = true;
+  study.optimum_sources = {{"fan_exact", {}, ""}, {"weak_bound", {}, ""}};
+  run(study, folder.path("out"));
+  const RunRecord right = by_algorithm(folder.path("out")).at("well");
+  OptimumCache cache(folder.path("optima"), [](const std::string&) {});
+  const OptimumKey good{right.instance_id, "fan_exact", 1, ""};
+  const OptimumKey bad{right.instance_id, "weak_bound", 1, ""};
+  cache.store(good, {{*right.weight_upper, *right.weight_upper}, 1});
+  cache.store(bad, {{2 * *right.weight_upper, 2 * *right.weight_upper}, 1});
+  std::ostringstream out;
+  const StudyOutcome outcome =
+      run_study(study, testing::test_catalogue(), {folder.path("again"), false, 1, false, folder.path("optima")}, out);
+  EXPECT_EQ(outcome.contradictions, 0u);
+  EXPECT_NE(out.str().find("; the optimum is sought anew"), std::string::npos) << out.str();
+  const StudyRecords records = read_records(folder.path("again"));
+  EXPECT_EQ(records.instances[0].optimality, "proved");
+  EXPECT_EQ(records.instances[0].optimum_note, "") << "not from the cache";
+  EXPECT_TRUE(cache.find(good));
+  EXPECT_FALSE(cache.find(bad));
 }
 
 // A solver that claims too much: as "exact" did on flat points.

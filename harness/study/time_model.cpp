@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "harness/statistics/quantile.h"
 
@@ -10,7 +12,7 @@ namespace mwt {
 
 namespace {
 
-// Factors between what was observed and what a run may take; found by predicting recorded studies from parts of them.
+// Factors between what was observed and what a run may take: judgement, held against runs of the study `report`.
 constexpr double kSameCell = 1.5;
 constexpr double kBetweenSizes = 2;
 constexpr double kBeyondSizes = 2;  // times n's ratio to the power kDrift
@@ -32,7 +34,8 @@ struct SizeTime {
   bool is_record = false;
 };
 
-SizeTime time_of(Index n, const std::vector<TimeObservation>& observations) {
+SizeTime time_of(const std::pair<const Index, std::vector<TimeObservation>>& size) {
+  const auto& [n, observations] = size;
   std::vector<double> seconds;
   SizeTime time{n, 0, false, false};
   for (const TimeObservation& observation : observations) {
@@ -62,6 +65,19 @@ double slope(const SizeTime& a, const SizeTime& b) {
 
 double grown(const SizeTime& from, Index n, double exponent) {
   return from.seconds * std::pow(static_cast<double>(n) / static_cast<double>(from.n), exponent);
+}
+
+// Grows on from the largest size observed, at least linearly. Where times are tiny or sizes close together, noise would
+// make any exponent: it is kept within what most heuristics have.
+TimePrediction beyond(const SizeTime& last, const std::optional<SizeTime>& before, Index n, double limit_s) {
+  constexpr double kTellingTime = 1e-4;  // s
+  constexpr double kTellingRatio = 1.3;
+  const bool is_telling = before && last.seconds >= kTellingTime && last.n >= kTellingRatio * before->n;
+  const double exponent = std::max(1.0, before ? slope(*before, last) : 1.0);
+  const double ratio = static_cast<double>(n) / static_cast<double>(last.n);
+  const double factor = kBeyondSizes * std::pow(ratio, is_telling ? kDrift : 2 * kDrift);
+  return within(grown(last, n, is_telling ? exponent : std::min(exponent, 1.5)), factor, TimeBasis::other_sizes,
+                limit_s);
 }
 
 std::string_view without_parameters(std::string_view name) { return name.substr(0, name.find(' ')); }
@@ -94,26 +110,21 @@ void TimeModel::add(const TimedCell& cell, const TimeObservation& observation) {
 std::optional<TimePrediction> TimeModel::within_family(const Sizes& sizes, Index n, double limit_s) {
   if (sizes.empty()) return std::nullopt;
   const auto here = sizes.find(n);
-  if (here != sizes.end()) return same_cell(time_of(n, here->second), limit_s);
+  if (here != sizes.end()) return same_cell(time_of(*here), limit_s);
   const auto above = sizes.upper_bound(n);
   const TimeBasis basis = TimeBasis::other_sizes;
   if (above == sizes.begin()) {
-    const SizeTime smallest = time_of(above->first, above->second);
+    const SizeTime smallest = time_of(*above);
     return within(grown(smallest, n, 1), kBetweenSizes, basis, limit_s);
   }
   const auto below = std::prev(above);
-  const SizeTime last = time_of(below->first, below->second);
+  const SizeTime last = time_of(*below);
   if (last.at_limit) return at_limit(last.seconds, limit_s, basis);
   if (above != sizes.end()) {
-    const SizeTime next = time_of(above->first, above->second);
+    const SizeTime next = time_of(*above);
     return within(grown(last, n, slope(last, next)), kBetweenSizes, basis, limit_s);
   }
-  const bool has_slope = below != sizes.begin();
-  const auto before = has_slope ? std::prev(below) : below;
-  const double exponent = has_slope ? std::max(1.0, slope(time_of(before->first, before->second), last)) : 1.0;
-  const double ratio = static_cast<double>(n) / static_cast<double>(last.n);
-  const double factor = kBeyondSizes * std::pow(ratio, has_slope ? kDrift : 2 * kDrift);
-  return within(grown(last, n, exponent), factor, basis, limit_s);
+  return beyond(last, below == sizes.begin() ? std::nullopt : std::optional(time_of(*std::prev(below))), n, limit_s);
 }
 
 std::optional<TimePrediction> TimeModel::within_algorithm(const Families& families, const std::string& family, Index n,
