@@ -97,19 +97,24 @@ void require_empty(const std::string& folder, const std::string& remedy) {
   if (!is_empty(folder)) throw InputError(folder + ": has something in it already; " + remedy);
 }
 
-// A killed `mwt run` may have left nothing but the temporary file of its first write.
-bool holds_only_temporary_files(const std::string& folder) {
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (!is_temporary_name(entry.path().filename().string())) return false;
-  }
-  return true;
+// What `mwt run` makes before it writes study.toml: record files without content, and the temporary file of that write.
+bool is_trace_of_a_start(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  const bool is_record_file = name == kRuns || name == kInstances || name == kEnvironments;
+  return is_temporary_name(name) || (is_record_file && entry.is_regular_file() && entry.file_size() == 0);
+}
+
+// A `mwt run` that was killed at its start leaves no more than this.
+bool holds_only_traces_of_a_start(const std::string& folder) {
+  const fs::directory_iterator entries(folder);
+  return std::all_of(begin(entries), end(entries), is_trace_of_a_start);
 }
 
 // Whether the folder has its study.toml already.
 bool require_this_study(const std::string& folder, const Study& study) {
   const std::string copy = in_folder(folder, kStudyFile);
   if (!fs::exists(copy)) {
-    if (holds_only_temporary_files(folder)) return false;
+    if (holds_only_traces_of_a_start(folder)) return false;
     throw InputError(folder +
                      ": has things in it, but no study.toml that tells of which study; choose another folder"
                      " with --out");

@@ -582,6 +582,9 @@ TEST(RunStudy, HalfWrittenFilesOfAllKindsAreMadeWhole) {
 TEST(RunStudy, WhatAKilledFirstWriteLeftIsNoHindrance) {
   const TestFolder folder;
   std::filesystem::create_directory(folder.path("out"));
+  for (const char* empty : {"runs.csv", "instances.csv", "environments.csv"}) {
+    write_text(folder.path("out/" + std::string(empty)), "");
+  }
   write_text(folder.path("out/.mwt-123-0.tmp"), "name");
   EXPECT_EQ(run(study_of({"well"}), folder.path("out"), true).runs, 1u);
 }
