@@ -13,8 +13,8 @@
 
 #include "algorithms/deadline.h"
 #include "algorithms/stop_reason.h"
-#include "geometry/interval.h"
-#include "geometry/parameters.h"
+#include "geometry/numbers/interval.h"
+#include "base/parameters.h"
 #include "geometry/point.h"
 #include "geometry/triangulation.h"
 

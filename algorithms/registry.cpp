@@ -5,9 +5,9 @@
 #include "algorithms/delaunay/delaunay.h"
 #include "algorithms/exact/exact.h"
 #include "algorithms/flip/flip.h"
-#include "algorithms/flip_report/flip_report.h"
+#include "algorithms/flip_naive/flip_naive.h"
 #include "algorithms/greedy/greedy.h"
-#include "algorithms/greedy_report/greedy_report.h"
+#include "algorithms/greedy_naive/greedy_naive.h"
 #include "algorithms/hull_insertion/hull_insertion.h"
 #include "algorithms/patch/patch.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
@@ -16,7 +16,7 @@
 #include "algorithms/sweep/sweep.h"
 #include "algorithms/triangle_lp/triangle_lp.h"
 #include "algorithms/two_chains/two_chains.h"
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 

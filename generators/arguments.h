@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "geometry/parameters.h"
+#include "base/parameters.h"
 #include "geometry/point.h"
 
 namespace mwt {

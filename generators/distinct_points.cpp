@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "generators/random.h"
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "generators/random.h"
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 namespace {

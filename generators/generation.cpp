@@ -7,7 +7,7 @@
 #include <string>
 
 #include "generators/arguments.h"
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 

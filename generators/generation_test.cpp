@@ -5,7 +5,7 @@
 #include <limits>
 #include <new>
 
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/parameters.h"
+#include "base/parameters.h"
 #include "geometry/point.h"
 
 namespace mwt {

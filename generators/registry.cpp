@@ -37,7 +37,7 @@
 #include "generators/wheel/wheel.h"
 #include "generators/wheels/wheels.h"
 #include "generators/with_duplicates/with_duplicates.h"
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 

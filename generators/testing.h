@@ -7,7 +7,7 @@
 
 #include "generators/registry.h"
 #include "geometry/convex_hull.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/point_set.h"
 #include "geometry/predicates.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "geometry/double_double.h"
+#include "geometry/numbers/double_double.h"
 
 namespace mwt {
 

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "geometry/predicates.h"
-#include "geometry/test_shapes.h"
+#include "geometry/testing/test_shapes.h"
 
 namespace mwt {
 namespace {

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "geometry/convex_hull.h"
-#include "geometry/cpu_clock.h"
-#include "geometry/error.h"
+#include "base/cpu_clock.h"
+#include "base/error.h"
 
 namespace mwt {
 

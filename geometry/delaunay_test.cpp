@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "geometry/checker.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/predicates.h"
-#include "geometry/test_shapes.h"
+#include "geometry/testing/test_shapes.h"
 
 namespace mwt {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "geometry/convex_hull.h"
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "geometry/error.h"
-#include "geometry/test_folder.h"
+#include "base/error.h"
+#include "base/testing/test_folder.h"
 
 namespace mwt {
 namespace {

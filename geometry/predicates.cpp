@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/double_double.h"
-#include "geometry/trusted_range.h"
+#include "geometry/numbers/double_double.h"
+#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 

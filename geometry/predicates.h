@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "geometry/point.h"
-#include "geometry/trusted_range.h"
+#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 

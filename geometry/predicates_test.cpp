@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/test_shapes.h"
+#include "geometry/testing/test_shapes.h"
 
 namespace mwt {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "geometry/error.h"
-#include "geometry/interval.h"
+#include "base/error.h"
+#include "geometry/numbers/interval.h"
 
 namespace mwt {
 

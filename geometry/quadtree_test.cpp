@@ -8,8 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/error.h"
-#include "geometry/test_shapes.h"
+#include "base/error.h"
+#include "geometry/testing/test_shapes.h"
 
 namespace mwt {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "geometry/double_double.h"
-#include "geometry/interval.h"
+#include "geometry/numbers/double_double.h"
+#include "geometry/numbers/interval.h"
 #include "geometry/triangulation.h"
 
 namespace mwt {

@@ -9,7 +9,7 @@
 
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
-#include "geometry/test_shapes.h"
+#include "geometry/testing/test_shapes.h"
 
 namespace mwt {
 namespace {

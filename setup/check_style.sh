@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers=(geometry generators algorithms harness)
+layers=(base geometry generators algorithms harness)
 mapfile -t sources < <(find "${layers[@]}" -name '*.h' -o -name '*.cpp' | sort)
 clang-format --dry-run --Werror "${sources[@]}"
 

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "algorithms/flip/flip.h"
-#include "algorithms/mesh/distance.h"
-#include "algorithms/start/start.h"
-#include "geometry/error.h"
-#include "geometry/scaling.h"
+#include "geometry/mesh/distance.h"
+#include "algorithms/common/start.h"
+#include "base/error.h"
+#include "geometry/numbers/scaling.h"
 #include "geometry/weight.h"
 
 namespace mwt {

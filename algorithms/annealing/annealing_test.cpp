@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/flip/flip.h"
-#include "algorithms/mesh/shapes_for_tests.h"
-#include "algorithms/start/start.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
+#include "algorithms/common/start.h"
 #include "geometry/checker.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/weight.h"
 
 namespace mwt {

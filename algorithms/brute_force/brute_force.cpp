@@ -3,9 +3,9 @@
 #include <bitset>
 #include <string>
 
-#include "algorithms/solve_scaled.h"
+#include "algorithms/common/solve_scaled.h"
 #include "geometry/convex_hull.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

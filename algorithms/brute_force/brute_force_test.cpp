@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "algorithms/solver_testing.h"
+#include "algorithms/common/testing/solver_testing.h"
 
 namespace mwt {
 namespace {

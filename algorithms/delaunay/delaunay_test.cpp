@@ -1,6 +1,6 @@
 #include "algorithms/delaunay/delaunay.h"
 
-#include "algorithms/testing/instances.h"
+#include "algorithms/common/testing/instances.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

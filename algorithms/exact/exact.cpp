@@ -18,8 +18,8 @@
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
-#include "algorithms/fallback/lightest_heuristic.h"
-#include "algorithms/solve_scaled.h"
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
 

@@ -12,7 +12,7 @@
 #include "algorithms/exact/candidates/candidate_graph.h"
 #include "algorithms/exact/faces/face_region.h"
 #include "geometry/convex_hull.h"
-#include "geometry/double_double.h"
+#include "geometry/numbers/double_double.h"
 #include "geometry/predicates.h"
 #include "geometry/triangulation.h"
 

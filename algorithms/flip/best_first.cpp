@@ -9,7 +9,7 @@
 
 #include "algorithms/flip/counted_flips.h"
 #include "algorithms/flip/improving_flip.h"
-#include "algorithms/mesh/kept_memory.h"
+#include "geometry/mesh/kept_memory.h"
 
 namespace mwt {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "algorithms/flip/improving_flip.h"
-#include "algorithms/mesh/shapes_for_tests.h"
-#include "algorithms/start/start.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
+#include "algorithms/common/start.h"
 
 namespace mwt {
 

@@ -5,7 +5,7 @@
 #include "algorithms/flip/best_first.h"
 #include "algorithms/flip/counted_flips.h"
 #include "algorithms/flip/improving_flip.h"
-#include "algorithms/start/start.h"
+#include "algorithms/common/start.h"
 
 namespace mwt {
 

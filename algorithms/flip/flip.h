@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "algorithms/algorithm.h"
-#include "algorithms/mesh/planar_mesh.h"
+#include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
 

@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/greedy/greedy.h"
-#include "algorithms/mesh/shapes_for_tests.h"
-#include "algorithms/start/start.h"
-#include "algorithms/testing/instances.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
+#include "algorithms/common/start.h"
+#include "algorithms/common/testing/instances.h"
 #include "geometry/checker.h"
 #include "geometry/delaunay.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/weight.h"
 
 namespace mwt {

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "algorithms/mesh/distance.h"
-#include "algorithms/mesh/planar_mesh.h"
+#include "geometry/mesh/distance.h"
+#include "geometry/mesh/planar_mesh.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

@@ -1,7 +1,7 @@
 #include "algorithms/greedy/certified_edges.h"
 
-#include "algorithms/mesh/angle.h"
-#include "geometry/trusted_range.h"
+#include "geometry/mesh/angle.h"
+#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 

@@ -1,7 +1,7 @@
 // Edges that belong to the greedy triangulation whatever comes later: found in any order, without a queue.
 #pragma once
 
-#include "algorithms/mesh/planar_mesh.h"
+#include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
 

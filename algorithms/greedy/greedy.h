@@ -2,7 +2,7 @@
 #pragma once
 
 #include "algorithms/algorithm.h"
-#include "algorithms/mesh/planar_mesh.h"
+#include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
 

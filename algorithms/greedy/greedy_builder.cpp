@@ -4,7 +4,7 @@
 
 #include "algorithms/greedy/certified_edges.h"
 #include "geometry/predicates.h"
-#include "geometry/trusted_range.h"
+#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "algorithms/mesh/planar_mesh.h"
+#include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "algorithms/greedy/certified_edges.h"
-#include "algorithms/mesh/shapes_for_tests.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/checker.h"
 #include "geometry/predicates.h"
 

@@ -1,7 +1,7 @@
 // The room between two neighbouring greedy edges at a point.
 #pragma once
 
-#include "algorithms/mesh/planar_mesh.h"
+#include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
 

@@ -9,7 +9,7 @@
 #include "algorithms/hull_insertion/split_distribution.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
 #include "geometry/convex_hull.h"
-#include "geometry/scaling.h"
+#include "geometry/numbers/scaling.h"
 #include "geometry/weight.h"
 
 namespace mwt {

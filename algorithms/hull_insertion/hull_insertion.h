@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "algorithms/algorithm.h"
-#include "geometry/interval.h"
+#include "geometry/numbers/interval.h"
 
 namespace mwt {
 

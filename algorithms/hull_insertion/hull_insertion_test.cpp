@@ -6,7 +6,7 @@
 #include "algorithms/hull_insertion/split_distribution.h"
 #include "algorithms/hull_insertion/split_history.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
-#include "algorithms/testing/instances.h"
+#include "algorithms/common/testing/instances.h"
 #include "generators/hull_bound_counterexample/hull_bound_counterexample.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"

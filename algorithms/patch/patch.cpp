@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "algorithms/patch/patch_polygon.h"
-#include "algorithms/start/start.h"
-#include "algorithms/start/walls.h"
-#include "geometry/error.h"
+#include "algorithms/common/start.h"
+#include "algorithms/common/beta_skeleton_edges.h"
+#include "base/error.h"
 
 namespace mwt {
 

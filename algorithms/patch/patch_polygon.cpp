@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "algorithms/mesh/distance.h"
-#include "geometry/double_double.h"
+#include "geometry/mesh/distance.h"
+#include "geometry/numbers/double_double.h"
 #include "geometry/predicates.h"
-#include "geometry/trusted_range.h"
+#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 

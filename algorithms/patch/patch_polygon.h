@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "algorithms/mesh/planar_mesh.h"
+#include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
 

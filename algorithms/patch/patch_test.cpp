@@ -8,14 +8,14 @@
 
 #include "algorithms/flip/flip.h"
 #include "algorithms/greedy/greedy.h"
-#include "algorithms/mesh/shapes_for_tests.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "algorithms/patch/patch_polygon.h"
-#include "algorithms/start/start.h"
-#include "algorithms/start/walls.h"
-#include "algorithms/testing/instances.h"
+#include "algorithms/common/start.h"
+#include "algorithms/common/beta_skeleton_edges.h"
+#include "algorithms/common/testing/instances.h"
 #include "geometry/checker.h"
 #include "geometry/convex_hull.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/weight.h"
 
 namespace mwt {

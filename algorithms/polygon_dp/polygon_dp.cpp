@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/solve_scaled.h"
+#include "algorithms/common/solve_scaled.h"
 #include "geometry/convex_hull.h"
-#include "geometry/double_double.h"
-#include "geometry/error.h"
+#include "geometry/numbers/double_double.h"
+#include "base/error.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

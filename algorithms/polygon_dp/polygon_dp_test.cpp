@@ -3,8 +3,8 @@
 #include <limits>
 #include <numeric>
 
-#include "algorithms/testing/instances.h"
-#include "geometry/error.h"
+#include "algorithms/common/testing/instances.h"
+#include "base/error.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "geometry/double_double.h"
+#include "geometry/numbers/double_double.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

@@ -3,14 +3,14 @@
 #include <string>
 #include <utility>
 
-#include "algorithms/mesh/constraint_insertion.h"
-#include "algorithms/mesh/planar_mesh.h"
+#include "geometry/mesh/constraint_insertion.h"
+#include "geometry/mesh/planar_mesh.h"
 #include "algorithms/quadtree/leaf_triangulation.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/quadtree.h"
-#include "geometry/scaling.h"
+#include "geometry/numbers/scaling.h"
 
 namespace mwt {
 

@@ -3,10 +3,10 @@
 #include <numeric>
 
 #include "algorithms/quadtree/leaf_triangulation.h"
-#include "algorithms/testing/instances.h"
+#include "algorithms/common/testing/instances.h"
 #include "geometry/delaunay.h"
-#include "geometry/error.h"
-#include "geometry/flip_triangulation.h"
+#include "base/error.h"
+#include "geometry/mesh/flip_triangulation.h"
 #include "geometry/quadtree.h"
 #include "geometry/weight.h"
 

@@ -4,10 +4,10 @@
 #include <bit>
 #include <string>
 
-#include "algorithms/solve_scaled.h"
+#include "algorithms/common/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "algorithms/solver_testing.h"
+#include "algorithms/common/testing/solver_testing.h"
 #include "generators/registry.h"
 
 namespace mwt {

@@ -1,6 +1,6 @@
 #include "algorithms/sweep/sweep.h"
 
-#include "algorithms/testing/instances.h"
+#include "algorithms/common/testing/instances.h"
 #include "geometry/weight.h"
 
 namespace mwt {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "algorithms/triangle_lp/triangle_cover.h"
-#include "geometry/double_double.h"
+#include "geometry/numbers/double_double.h"
 
 namespace mwt {
 

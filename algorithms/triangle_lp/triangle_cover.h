@@ -17,7 +17,7 @@
 
 #include "algorithms/deadline.h"
 #include "algorithms/stop_reason.h"
-#include "geometry/interval.h"
+#include "geometry/numbers/interval.h"
 #include "geometry/triangulation.h"
 
 namespace mwt {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "algorithms/solve_scaled.h"
+#include "algorithms/common/solve_scaled.h"
 #include "algorithms/triangle_lp/empty_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/convex_hull.h"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <random>
 
-#include "algorithms/solver_testing.h"
+#include "algorithms/common/testing/solver_testing.h"
 #include "generators/registry.h"
-#include "geometry/cpu_clock.h"
-#include "geometry/error.h"
+#include "base/cpu_clock.h"
+#include "base/error.h"
 #include "geometry/point_set.h"
 
 namespace mwt {

@@ -6,9 +6,9 @@
 
 #include "algorithms/greedy/greedy.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
-#include "algorithms/solve_scaled.h"
+#include "algorithms/common/solve_scaled.h"
 #include "geometry/convex_hull.h"
-#include "geometry/double_double.h"
+#include "geometry/numbers/double_double.h"
 #include "geometry/weight.h"
 
 namespace mwt {

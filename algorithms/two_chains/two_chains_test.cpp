@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "algorithms/solver_testing.h"
+#include "algorithms/common/testing/solver_testing.h"
 #include "generators/registry.h"
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 namespace {

@@ -1,6 +1,6 @@
 #include "generators/hunted/hunted.h"
 
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 

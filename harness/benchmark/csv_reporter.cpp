@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/number_text.h"
+#include "base/number_text.h"
 
 // Google Benchmark announces that its CSV may go; it has no other.
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"

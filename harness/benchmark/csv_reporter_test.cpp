@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "harness/commands/commands_testing.h"
-#include "harness/csv.h"
+#include "harness/cli/testing/commands_testing.h"
+#include "harness/io/text/csv.h"
 
 namespace mwt {
 namespace {

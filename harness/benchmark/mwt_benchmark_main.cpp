@@ -19,14 +19,14 @@
 #include <string_view>
 #include <utility>
 
-#include "geometry/cpu_clock.h"
-#include "geometry/error.h"
-#include "geometry/given_number.h"
+#include "base/cpu_clock.h"
+#include "base/error.h"
+#include "base/given_number.h"
 #include "harness/benchmark/csv_reporter.h"
 #include "harness/benchmark/prepared_cell.h"
-#include "harness/build_info.h"
-#include "harness/command_line.h"
-#include "harness/standard_streams.h"
+#include "harness/run/machine/build_info.h"
+#include "harness/cli/command_line.h"
+#include "harness/io/standard_streams.h"
 
 namespace mwt {
 

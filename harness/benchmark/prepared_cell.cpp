@@ -4,11 +4,11 @@
 #include <iostream>
 
 #include "geometry/delaunay.h"
-#include "geometry/error.h"
-#include "harness/optimum_claims.h"
-#include "harness/quality.h"
+#include "base/error.h"
+#include "harness/rating/optimum_claims.h"
+#include "harness/rating/quality.h"
 #include "harness/statistics/quantile.h"
-#include "harness/study/optimum_search.h"
+#include "harness/rating/optimum_search.h"
 #include "harness/study/plan.h"
 
 namespace mwt {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/catalogue.h"
-#include "harness/execution.h"
+#include "harness/run/catalogue.h"
+#include "harness/run/execution.h"
 
 namespace mwt {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/algorithms_testing.h"
+#include "harness/run/testing/algorithms_testing.h"
 
 namespace mwt {
 namespace {

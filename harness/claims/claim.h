@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/study/results_folder.h"
+#include "harness/records/results_folder.h"
 
 namespace mwt {
 

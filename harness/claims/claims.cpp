@@ -3,11 +3,11 @@
 #include <cctype>
 #include <filesystem>
 
-#include "geometry/error.h"
-#include "geometry/output_file.h"
+#include "base/error.h"
+#include "harness/io/output_file.h"
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

@@ -5,10 +5,10 @@
 
 #include <array>
 
-#include "harness/claims/records_testing.h"
-#include "harness/csv.h"
-#include "harness/folder_testing.h"
-#include "harness/text.h"
+#include "harness/claims/testing/claim_records.h"
+#include "harness/io/text/csv.h"
+#include "harness/io/testing/folder_testing.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 namespace {

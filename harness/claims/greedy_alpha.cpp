@@ -5,7 +5,7 @@
 #include "harness/claims/selection.h"
 #include "harness/statistics/binomial_interval.h"
 #include "harness/statistics/quantile.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt::claims {
 

@@ -1,7 +1,7 @@
 // C5: greedy's worst case.
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt::claims {
 

@@ -1,7 +1,7 @@
 // C7: whether the hull's optimal triangulation weighs no more than the optimum of all points.
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt::claims {
 

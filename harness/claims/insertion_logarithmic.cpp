@@ -4,7 +4,7 @@
 
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt::claims {
 

@@ -5,7 +5,7 @@
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
 #include "harness/statistics/binomial_interval.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt::claims {
 

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <set>
 
-#include "geometry/number_text.h"
-#include "geometry/parameters.h"
+#include "base/number_text.h"
+#include "base/parameters.h"
 #include "harness/study/plan.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

@@ -1,7 +1,7 @@
 // C15: whether 4^n bounds the number of triangulations.
 #include "harness/claims/report_claims.h"
 #include "harness/claims/triangulation_numbers.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt::claims {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <set>
 
-#include "geometry/number_text.h"
+#include "base/number_text.h"
 #include "harness/claims/report_claims.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

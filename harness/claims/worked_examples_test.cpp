@@ -9,7 +9,7 @@
 #include "generators/local_search_figure/local_search_figure.h"
 #include "generators/report_example/report_example.h"
 #include "geometry/delaunay.h"
-#include "geometry/flip_triangulation.h"
+#include "geometry/mesh/flip_triangulation.h"
 #include "geometry/weight.h"
 
 namespace mwt {

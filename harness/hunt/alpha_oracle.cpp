@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "geometry/checker.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/weight.h"
-#include "harness/optimum_claims.h"
-#include "harness/quality.h"
+#include "harness/rating/optimum_claims.h"
+#include "harness/rating/quality.h"
 
 namespace mwt {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/catalogue.h"
-#include "harness/execution.h"
+#include "harness/run/catalogue.h"
+#include "harness/run/execution.h"
 
 namespace mwt {
 

@@ -9,9 +9,9 @@
 #include <thread>
 #include <utility>
 
-#include "geometry/error.h"
+#include "base/error.h"
 #include "harness/hunt/state_file.h"
-#include "harness/study/interrupt.h"
+#include "harness/run/interrupt.h"
 
 namespace mwt {
 

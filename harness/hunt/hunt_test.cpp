@@ -8,9 +8,9 @@
 
 #include "algorithms/sweep/sweep.h"
 #include "geometry/delaunay.h"
-#include "geometry/error.h"
+#include "base/error.h"
 #include "geometry/weight.h"
-#include "harness/folder_testing.h"
+#include "harness/io/testing/folder_testing.h"
 #include "harness/hunt/moves.h"
 #include "harness/hunt/state_file.h"
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <string_view>
 
-#include "geometry/error.h"
-#include "geometry/input_file.h"
-#include "geometry/number_text.h"
-#include "geometry/output_file.h"
-#include "geometry/text_lines.h"
+#include "base/error.h"
+#include "harness/io/input_file.h"
+#include "base/number_text.h"
+#include "harness/io/output_file.h"
+#include "harness/io/text/text_lines.h"
 
 namespace mwt {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <tuple>
 
-#include "harness/aligned_table.h"
-#include "harness/text.h"
+#include "harness/io/text/aligned_table.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

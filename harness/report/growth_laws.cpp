@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 
-#include "harness/aligned_table.h"
+#include "harness/io/text/aligned_table.h"
 #include "harness/statistics/power_law.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

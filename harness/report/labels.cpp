@@ -1,6 +1,6 @@
 #include "harness/report/labels.h"
 
-#include "geometry/parameters.h"
+#include "base/parameters.h"
 #include "harness/study/plan.h"
 
 namespace mwt {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/study/results_folder.h"
+#include "harness/records/results_folder.h"
 
 namespace mwt {
 

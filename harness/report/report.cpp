@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
-#include "geometry/error.h"
-#include "geometry/output_file.h"
+#include "base/error.h"
+#include "harness/io/output_file.h"
 #include "harness/claims/claims.h"
 #include "harness/report/failures.h"
-#include "harness/report/final_rating.h"
+#include "harness/rating/final_rating.h"
 #include "harness/report/growth_laws.h"
 #include "harness/report/machines.h"
 #include "harness/report/summary_files.h"

@@ -9,7 +9,7 @@
 #include "harness/report/cell_summary.h"
 #include "harness/report/growth.h"
 #include "harness/report/labels.h"
-#include "harness/study/results_folder.h"
+#include "harness/records/results_folder.h"
 
 namespace mwt {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/number_text.h"
-#include "harness/csv.h"
+#include "base/number_text.h"
+#include "harness/io/text/csv.h"
 
 namespace mwt {
 

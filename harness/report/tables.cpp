@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "harness/aligned_table.h"
+#include "harness/io/text/aligned_table.h"
 #include "harness/statistics/quantile.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

@@ -3,12 +3,12 @@
 #include <set>
 #include <utility>
 
-#include "geometry/error.h"
-#include "harness/given_triangulation.h"
-#include "harness/study/isolated_run.h"
-#include "harness/study/optimum_search.h"
+#include "base/error.h"
+#include "harness/io/given_triangulation.h"
+#include "harness/run/isolated_run.h"
+#include "harness/rating/optimum_search.h"
 #include "harness/study/study_session.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

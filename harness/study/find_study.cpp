@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "geometry/error.h"
-#include "harness/build_info.h"
+#include "base/error.h"
+#include "harness/run/machine/build_info.h"
 #include "harness/study/study.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "geometry/error.h"
+#include "base/error.h"
 
 namespace mwt {
 

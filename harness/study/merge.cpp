@@ -6,11 +6,11 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/error.h"
-#include "harness/study/known_optima.h"
+#include "base/error.h"
+#include "harness/rating/known_optima.h"
 #include "harness/study/plan.h"
-#include "harness/study/results_folder.h"
-#include "harness/text.h"
+#include "harness/records/results_folder.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

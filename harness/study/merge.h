@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/catalogue.h"
+#include "harness/run/catalogue.h"
 
 namespace mwt {
 

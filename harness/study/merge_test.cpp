@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "geometry/error.h"
-#include "harness/algorithms_testing.h"
-#include "harness/folder_testing.h"
-#include "harness/study/records_testing.h"
+#include "base/error.h"
+#include "harness/run/testing/algorithms_testing.h"
+#include "harness/io/testing/folder_testing.h"
+#include "harness/records/testing/records_testing.h"
 #include "harness/study/run_study.h"
 
 namespace mwt {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "generators/generation.h"
-#include "geometry/error.h"
-#include "geometry/point_file.h"
+#include "base/error.h"
+#include "harness/io/points/point_file.h"
 #include "geometry/point_set.h"
-#include "harness/start_triangulation.h"
-#include "harness/text.h"
+#include "harness/run/start_triangulation.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/catalogue.h"
+#include "harness/run/catalogue.h"
 #include "harness/study/study.h"
 
 namespace mwt {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
-#include "geometry/error.h"
-#include "harness/algorithms_testing.h"
-#include "harness/folder_testing.h"
+#include "base/error.h"
+#include "harness/run/testing/algorithms_testing.h"
+#include "harness/io/testing/folder_testing.h"
 
 namespace mwt {
 namespace {

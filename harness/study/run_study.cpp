@@ -5,11 +5,11 @@
 #include <set>
 #include <utility>
 
-#include "geometry/error.h"
-#include "harness/environment.h"
-#include "harness/machine_watch.h"
-#include "harness/study/interrupt.h"
-#include "harness/study/optimum_search.h"
+#include "base/error.h"
+#include "harness/run/machine/environment.h"
+#include "harness/run/machine/machine_watch.h"
+#include "harness/run/interrupt.h"
+#include "harness/rating/optimum_search.h"
 #include "harness/study/study_session.h"
 
 namespace mwt {

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "harness/catalogue.h"
+#include "harness/run/catalogue.h"
 #include "harness/study/plan.h"
 #include "harness/study/study.h"
 

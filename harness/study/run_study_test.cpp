@@ -17,12 +17,12 @@
 #include <sstream>
 
 #include "algorithms/sweep/sweep.h"
-#include "geometry/error.h"
-#include "geometry/number_text.h"
-#include "harness/algorithms_testing.h"
-#include "harness/folder_testing.h"
-#include "harness/optimum_cache.h"
-#include "harness/study/results_folder.h"
+#include "base/error.h"
+#include "base/number_text.h"
+#include "harness/run/testing/algorithms_testing.h"
+#include "harness/io/testing/folder_testing.h"
+#include "harness/rating/optimum_cache.h"
+#include "harness/records/results_folder.h"
 
 namespace mwt {
 namespace {

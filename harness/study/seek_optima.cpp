@@ -2,11 +2,11 @@
 #include <set>
 #include <utility>
 
-#include "geometry/error.h"
-#include "harness/quality.h"
-#include "harness/study/optimum_search.h"
+#include "base/error.h"
+#include "harness/rating/quality.h"
+#include "harness/rating/optimum_search.h"
 #include "harness/study/study_session.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <numeric>
 
-#include "geometry/error.h"
-#include "geometry/number_text.h"
+#include "base/error.h"
+#include "base/number_text.h"
 #include "harness/study/plan.h"
 
 namespace mwt {

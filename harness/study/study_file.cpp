@@ -7,11 +7,11 @@
 #include <initializer_list>
 #include <utility>
 
-#include "geometry/error.h"
-#include "geometry/input_file.h"
-#include "geometry/number_text.h"
+#include "base/error.h"
+#include "harness/io/input_file.h"
+#include "base/number_text.h"
 #include "harness/study/study.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

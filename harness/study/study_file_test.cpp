@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "geometry/error.h"
-#include "harness/folder_testing.h"
+#include "base/error.h"
+#include "harness/io/testing/folder_testing.h"
 #include "harness/study/study.h"
 
 namespace mwt {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/error.h"
-#include "harness/environment.h"
-#include "harness/study/interrupt.h"
+#include "base/error.h"
+#include "harness/run/machine/environment.h"
+#include "harness/run/interrupt.h"
 
 namespace mwt {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/point.h"
-#include "harness/records.h"
+#include "harness/records/records.h"
 
 namespace mwt {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

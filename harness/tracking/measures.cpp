@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "geometry/error.h"
+#include "base/error.h"
 #include "harness/statistics/quantile.h"
-#include "harness/text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "geometry/error.h"
-#include "geometry/input_file.h"
-#include "harness/csv.h"
+#include "base/error.h"
+#include "harness/io/input_file.h"
+#include "harness/io/text/csv.h"
 
 namespace mwt {
 

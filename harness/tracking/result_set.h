@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/environment.h"
-#include "harness/records.h"
+#include "harness/run/machine/environment.h"
+#include "harness/records/records.h"
 
 namespace mwt {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/error.h"
-#include "harness/csv.h"
-#include "harness/folder_testing.h"
-#include "harness/tracking/night.h"
-#include "harness/tracking/synthetic_nights_testing.h"
+#include "base/error.h"
+#include "harness/io/text/csv.h"
+#include "harness/io/testing/folder_testing.h"
+#include "harness/tracking/history/night.h"
+#include "harness/tracking/testing/synthetic_nights_testing.h"
 
 namespace mwt {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "algorithms/exact/stage_testing.h"
+#include "algorithms/exact/testing/stage_testing.h"
 
 namespace mwt {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "algorithms/exact/naive_candidates.h"
 #include "algorithms/exact/search_stopped.h"
-#include "algorithms/exact/stage_testing.h"
-#include "algorithms/solver_testing.h"
-#include "algorithms/testing/extreme_points.h"
-#include "geometry/scaling.h"
+#include "algorithms/exact/testing/stage_testing.h"
+#include "algorithms/common/testing/solver_testing.h"
+#include "algorithms/common/testing/extreme_points.h"
+#include "geometry/numbers/scaling.h"
 
 namespace mwt {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/naive_candidates.h"
-#include "algorithms/exact/stage_testing.h"
-#include "algorithms/solver_testing.h"
+#include "algorithms/exact/testing/stage_testing.h"
+#include "algorithms/common/testing/solver_testing.h"
 #include "geometry/checker.h"
 
 namespace mwt {

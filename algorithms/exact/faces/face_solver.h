@@ -7,7 +7,7 @@
 
 #include "algorithms/algorithm.h"
 #include "algorithms/exact/candidates/candidate_graph.h"
-#include "geometry/interval.h"
+#include "geometry/numbers/interval.h"
 #include "geometry/triangulation.h"
 
 namespace mwt {

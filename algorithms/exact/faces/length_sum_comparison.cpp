@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/double_double.h"
+#include "geometry/numbers/double_double.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

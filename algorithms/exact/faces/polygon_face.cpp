@@ -8,7 +8,7 @@
 
 #include "algorithms/exact/faces/length_sum_comparison.h"
 #include "geometry/predicates.h"
-#include "geometry/trusted_range.h"
+#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 

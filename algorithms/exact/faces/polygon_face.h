@@ -12,7 +12,7 @@
 
 #include "algorithms/deadline.h"
 #include "algorithms/exact/faces/face_walk.h"
-#include "geometry/double_double.h"
+#include "geometry/numbers/double_double.h"
 #include "geometry/weight.h"
 
 namespace mwt {

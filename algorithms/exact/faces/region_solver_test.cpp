@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/exact/naive_candidates.h"
-#include "algorithms/exact/stage_testing.h"
-#include "algorithms/solver_testing.h"
+#include "algorithms/exact/testing/stage_testing.h"
+#include "algorithms/common/testing/solver_testing.h"
 
 namespace mwt {
 namespace {

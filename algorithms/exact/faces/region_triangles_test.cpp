@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "algorithms/exact/stage_testing.h"
+#include "algorithms/exact/testing/stage_testing.h"
 #include "algorithms/triangle_lp/empty_triangles.h"
 
 namespace mwt {

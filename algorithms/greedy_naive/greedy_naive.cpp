@@ -1,0 +1,169 @@
+#include "algorithms/greedy_naive/greedy_naive.h"
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "geometry/mesh/edge_order.h"
+#include "geometry/convex_hull.h"
+#include "geometry/predicates.h"
+
+namespace mwt {
+
+namespace {
+
+constexpr Index kLargestN = 10'000;  // 50 million pairs: about a gigabyte
+
+std::vector<Edge> sorted_pairs(Points points) {
+  const auto n = static_cast<Index>(points.size());
+  std::vector<Edge> pairs;
+  pairs.reserve(points.size() * (points.size() - 1) / 2);
+  for (Index a = 0; a < n; ++a) {
+    for (Index b = a + 1; b < n; ++b) pairs.push_back({a, b});
+  }
+  sort_by_length(points, pairs);
+  return pairs;
+}
+
+// The edges kept so far, with their bounding boxes.
+class KeptEdges {
+ public:
+  explicit KeptEdges(Points points) : points_(points) {}
+
+  void add(const Edge& edge) {
+    edges_.push_back(edge);
+    boxes_.push_back(box_of(edge));
+  }
+
+  // Whether `edge` crosses any of them. The last ones are the longest, so they are tested first.
+  [[nodiscard]] bool cross(const Edge& edge) const {
+    const Box box = box_of(edge);
+    for (std::size_t i = edges_.size(); i-- > 0;) {
+      if (meet(box, boxes_[i]) && cross(edge, edges_[i])) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Box {
+    double left, right, bottom, top;
+  };
+
+  [[nodiscard]] Box box_of(const Edge& edge) const {
+    const auto [left, right] = std::minmax(points_[edge.a].x, points_[edge.b].x);
+    const auto [bottom, top] = std::minmax(points_[edge.a].y, points_[edge.b].y);
+    return {left, right, bottom, top};
+  }
+
+  static bool meet(const Box& p, const Box& q) {
+    return p.left <= q.right && q.left <= p.right && p.bottom <= q.top && q.bottom <= p.top;
+  }
+
+  [[nodiscard]] bool cross(const Edge& e, const Edge& f) const {
+    if (e.a == f.a) return overlap_from(e.a, e.b, f.b);
+    if (e.a == f.b) return overlap_from(e.a, e.b, f.a);
+    if (e.b == f.a) return overlap_from(e.b, e.a, f.b);
+    if (e.b == f.b) return overlap_from(e.b, e.a, f.a);
+    return segments_cross(points_[e.a], points_[e.b], points_[f.a], points_[f.b]);
+  }
+
+  // segments_cross for segments from one end: only overlap counts. Spares its exact tests of equal points.
+  [[nodiscard]] bool overlap_from(Index end, Index p, Index q) const {
+    return orientation(points_[end], points_[p], points_[q]) == 0 && dot_sign(points_[p], points_[end], points_[q]) > 0;
+  }
+
+  Points points_;
+  std::vector<Edge> edges_;
+  std::vector<Box> boxes_;
+};
+
+// Puts triangles together from edges.
+class TriangleAssembly {
+ public:
+  explicit TriangleAssembly(Points points) : points_(points), neighbours_(points.size()) {}
+
+  // Adds the edge and every triangle that it completes.
+  void add(const Edge& edge) {
+    std::vector<Index> apexes;
+    std::set_intersection(neighbours_[edge.a].begin(), neighbours_[edge.a].end(), neighbours_[edge.b].begin(),
+                          neighbours_[edge.b].end(), std::back_inserter(apexes));
+    for (const Index apex : apexes) add_if_empty(edge, apex);
+    insert_sorted(neighbours_[edge.a], edge.b);
+    insert_sorted(neighbours_[edge.b], edge.a);
+  }
+
+  [[nodiscard]] std::size_t count() const { return triangles_.size(); }
+  [[nodiscard]] std::vector<Triangle> take() { return std::move(triangles_); }
+
+ private:
+  static void insert_sorted(std::vector<Index>& row, Index value) {
+    row.insert(std::lower_bound(row.begin(), row.end(), value), value);
+  }
+
+  void add_if_empty(const Edge& edge, Index apex) {
+    Triangle triangle = {edge.a, edge.b, apex};
+    if (orientation(points_[edge.a], points_[edge.b], points_[apex]) < 0) std::swap(triangle[1], triangle[2]);
+    if (!is_empty(triangle)) return;
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    triangles_.push_back(triangle);
+  }
+
+  [[nodiscard]] bool is_empty(const Triangle& triangle) const {
+    const Point &a = points_[triangle[0]], &b = points_[triangle[1]], &c = points_[triangle[2]];
+    const auto [bottom, top] = std::minmax({a.y, b.y, c.y});
+    const auto [left, right] = std::minmax({a.x, b.x, c.x});
+    for (Index i = 0; i < points_.size(); ++i) {
+      const Point& p = points_[i];
+      if (p.x < left || p.x > right || p.y < bottom || p.y > top) continue;
+      const bool is_corner = i == triangle[0] || i == triangle[1] || i == triangle[2];
+      if (!is_corner && in_closed_triangle(p, a, b, c)) return false;
+    }
+    return true;
+  }
+
+  Points points_;
+  std::vector<std::vector<Index>> neighbours_;  // sorted
+  std::vector<Triangle> triangles_;
+};
+
+Solution solve(Points points, Context& context) {
+  Solution solution;
+  const ScopedPhase phase(context, "greedy");
+  solution.triangulation = greedy_report(points);
+  return solution;
+}
+
+}  // namespace
+
+Triangulation greedy_report(Points points) {
+  if (points.size() > kLargestN) {
+    throw NotApplicable("greedy_report sorts all pairs of points and takes at most " + std::to_string(kLargestN) +
+                        " points; this instance has " + std::to_string(points.size()));
+  }
+  const std::size_t wanted = 2 * points.size() - convex_hull(points).size() - 2;
+  KeptEdges kept(points);
+  TriangleAssembly assembly(points);
+  for (const Edge& pair : sorted_pairs(points)) {
+    if (kept.cross(pair)) continue;
+    kept.add(pair);
+    assembly.add(pair);
+    if (assembly.count() == wanted) break;
+  }
+  return {static_cast<Index>(points.size()), assembly.take()};
+}
+
+AlgorithmInfo greedy_report_entry() {
+  AlgorithmInfo info;
+  info.name = "greedy_report";
+  info.summary = "greedy: shortest pairs first, as the report writes it";
+  info.source = "source report, section 5.1";
+  info.guarantee = "Theta(sqrt n) in the worst case (Levcopoulos 1987; Levcopoulos and Krznaric 1998)";
+  info.time = "O(n^3) worst case (the report bounds it by O(n^4))";
+  info.space = "O(n^2)";
+  info.largest_n = 4000;
+  info.function = solve;
+  return info;
+}
+
+}  // namespace mwt

@@ -1,7 +1,0 @@
-# A layer is a static library of all sources in its folder and two levels below, tests and mains left out.
-function(mwt_add_layer layer)
-  file(GLOB sources CONFIGURE_DEPENDS ${layer}/*.cpp ${layer}/*/*.cpp ${layer}/*/*/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "_(test|main)\\.cpp$")
-  add_library(mwt_${layer} STATIC ${sources})
-  target_link_libraries(mwt_${layer} PUBLIC mwt_compiler)
-endfunction()

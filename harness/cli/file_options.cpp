@@ -1,0 +1,53 @@
+#include "harness/cli/file_options.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "harness/io/input_file.h"
+#include "harness/io/output_file.h"
+
+namespace mwt {
+
+namespace {
+
+void require_no_input(const OutputOption& output, const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    if (!is_same_file(output.path, input == "-" ? "/dev/stdin" : input)) continue;
+    throw InputError(output.option + ' ' + output.path + " would overwrite the input (" + source_name(input) +
+                     "); give another name");
+  }
+}
+
+void require_no_other_output(const OutputOption& output, std::span<const OutputOption> earlier) {
+  for (const OutputOption& other : earlier) {
+    if (is_standard_output(output.path) && is_standard_output(other.path))
+      throw InputError(other.option + " and " + output.option + " both go to standard output; give one of them a file");
+    if (is_same_file(output.path, other.path))
+      throw InputError(other.option + " and " + output.option + " both name " + output.path +
+                       "; give one another name");
+  }
+}
+
+}  // namespace
+
+void require_usable_outputs(std::span<const OutputOption> outputs, const std::vector<std::string>& inputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    require_no_other_output(outputs[i], outputs.first(i));
+    if (is_standard_output(outputs[i].path)) continue;
+    require_no_input(outputs[i], inputs);
+    require_writable(outputs[i].path);
+  }
+}
+
+void require_one_from_standard_input(const std::vector<std::string>& inputs) {
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
+    throw InputError("two files are - but standard input can be read once; give one of them a name");
+}
+
+std::optional<OutputOption> output_to_standard_output(std::span<const OutputOption> outputs) {
+  const auto found =
+      std::find_if(outputs.begin(), outputs.end(), [](const auto& output) { return is_standard_output(output.path); });
+  return found == outputs.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace mwt

@@ -1,0 +1,80 @@
+#include <iostream>
+#include <memory>
+
+#include "base/error.h"
+#include "harness/io/output_file.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/file_options.h"
+#include "harness/cli/history_option.h"
+#include "harness/tracking/history/changes.h"
+#include "harness/tracking/history/history.h"
+#include "harness/tracking/history/history_text.h"
+
+namespace mwt {
+
+namespace {
+
+struct Options {
+  std::string action;
+  std::optional<std::string> history;
+  std::optional<std::string> output;
+  bool csv = false;
+  bool json = false;
+  std::optional<double> least_change;
+};
+
+std::string changes_text(const std::vector<Night>& nights, const std::vector<Change>& changes) {
+  if (changes.empty())
+    return "nothing has changed for good; nights in the history: " + std::to_string(nights.size()) + '\n';
+  std::string text;
+  for (const Change& change : changes) text += describe(change, nights) + '\n';
+  return text;
+}
+
+std::string answer(const Options& options) {
+  if (options.action != "export" && options.action != "changes" && options.action != "series")
+    throw InputError("history has no action '" + options.action + "'; known: export, changes, series");
+  if (options.action == "export" && !options.csv) throw InputError("give the form of the export: --csv");
+  if (options.action == "series" && !options.json) throw InputError("give the form of the series: --json");
+  const std::vector<Night> nights = History(history_path(options.history), History::Mode::read).nights();
+  if (options.action == "export") return history_csv(nights);
+  ChangeOptions change_options;
+  if (options.least_change) change_options.least_change = *options.least_change / 100;
+  const std::vector<Change> changes = find_changes(nights, change_options);
+  if (options.action == "series") return series_json(changes, nights);
+  return options.json ? changes_json(changes, nights) : changes_text(nights, changes);
+}
+
+int history(const Options& options) {
+  if (options.output) {
+    const OutputOption output{"--output", *options.output};
+    require_usable_outputs({&output, 1}, {history_path(options.history)});
+  }
+  const std::string text = answer(options);
+  if (options.output) {
+    write_file_atomically(*options.output, text);
+  } else {
+    std::cout << text;
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+Command history_command() {
+  const auto options = std::make_shared<Options>();
+  const auto declare = [options](CommandOptions& declared) {
+    declared.argument("action", options->action,
+                      "export: all values; changes: what stepped, when, by how much; series: both, for a dashboard");
+    declared.option("--history", options->history, kHistoryHelp);
+    declared.option("-o,--output", options->output, "write to this file instead of standard output");
+    declared.flag("--csv", options->csv, "of export: comma-separated, one row per night, cell and measure");
+    declared.flag("--json", options->json, "of changes and series: JSON");
+    declared.positive("--least-change", options->least_change,
+                      "of changes: smaller steps of times and memory are not reported, in percent; 3 if not given");
+  };
+  return {"history", "Look into the history: export it, find what changed", declare,
+          [options] { return history(*options); }};
+}
+
+}  // namespace mwt

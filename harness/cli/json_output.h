@@ -1,0 +1,29 @@
+// JSON for scripts: the harness's only door to nlohmann-json.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include "algorithms/algorithm.h"
+#include "generators/generator.h"
+#include "harness/cli/solve_report.h"
+
+namespace mwt {
+
+/// One object with exactly the report's fields, those it lacks null; numbers read back as the same doubles.
+[[nodiscard]] std::string to_json(const SolveReport& report);
+
+/// Arrays with one object per entry.
+[[nodiscard]] std::string to_json(std::span<const AlgorithmInfo> algorithms);
+[[nodiscard]] std::string to_json(std::span<const GeneratorInfo> generators);
+
+/// An array of {"name", "summary", "file"}.
+struct StudyEntry {
+  std::string name;
+  std::string summary;
+  std::string file;
+};
+[[nodiscard]] std::string to_json(std::span<const StudyEntry> studies);
+
+}  // namespace mwt

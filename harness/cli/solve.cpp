@@ -1,0 +1,260 @@
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+
+#include "base/error.h"
+#include "harness/io/input_file.h"
+#include "harness/io/points/point_file.h"
+#include "harness/io/svg.h"
+#include "harness/io/triangulation_file.h"
+#include "harness/run/catalogue.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/file_options.h"
+#include "harness/run/execution.h"
+#include "harness/io/given_triangulation.h"
+#include "harness/cli/json_output.h"
+#include "harness/rating/optimum_cache.h"
+#include "harness/rating/optimum_claims.h"
+#include "harness/rating/quality.h"
+#include "harness/cli/solve_report.h"
+#include "harness/run/start_triangulation.h"
+#include "harness/rating/optimum_search.h"
+#include "harness/io/text/text.h"
+
+namespace mwt {
+
+namespace {
+
+struct Options {
+  std::string points;
+  std::string algorithm;
+  std::vector<std::string> parameters;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  std::optional<double> time_limit_s;
+  bool with_optimum = false;
+  bool no_cache = false;
+  bool json = false;
+  std::optional<std::string> triangles;
+  std::optional<std::string> edges;
+  std::optional<std::string> svg;
+};
+
+Request make_request(const Options& options, const Catalogue& catalogue, const Instance& instance,
+                     const std::vector<Point>& input) {
+  Request request;
+  request.algorithm = &catalogue.algorithm(options.algorithm);
+  const AlgorithmInfo& info = *request.algorithm;
+  request.parameters = Parameters(info.name, info.parameters, parse_parameters(options.parameters));
+  request.seed = options.seed;
+  request.threads = options.threads;
+  request.time_limit_s = options.time_limit_s;
+  if (const auto file = start_file_of(info, request.parameters))
+    request.start = read_triangulation(*file, instance.set, input);
+  return request;
+}
+
+void warn(const std::string& warning) { std::cerr << "mwt: warning: " << warning << '\n'; }
+
+// The optimum from the cache or the exact algorithms, each in a process of its own.
+FoundOptimum search_optimum(const Instance& instance, std::vector<const AlgorithmInfo*> sources,
+                            const RunLimits& limits, OptimumCache* cache, const KnownWeight& known) {
+  const auto shared = std::make_shared<const Instance>(instance);
+  FoundOptimum result;
+  ProcessPool pool(1);
+  seek_optimum(pool, shared, std::move(sources), limits, cache, known,
+               [&](const FoundOptimum& found) { result = found; });
+  while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(200));
+  return result;
+}
+
+std::optional<OptimumCache> open_cache(const Options& options) {
+  if (options.no_cache) return std::nullopt;
+  return OptimumCache(optimum_cache_folder(), warn);
+}
+
+FoundOptimum cached(const CachedOptimum& earlier, const AlgorithmInfo& solver) {
+  FoundOptimum found;
+  found.interval = earlier.interval;
+  found.source = solver.name;
+  found.is_cached = true;
+  return found;
+}
+
+// What the cache has of the same solver; nothing if this solution disproves it: it is thrown out then.
+std::optional<CachedOptimum> cached_of(OptimumCache& cache, const Instance& instance, const OptimumKey& key,
+                                       const Interval& weight) {
+  std::optional<CachedOptimum> earlier = cache.find(key);
+  if (!earlier || earlier->interval.lower <= weight.upper) return earlier;
+  const OptimumClaim claim{"", cached_claimant(key.solver), earlier->interval};
+  warn(Disproof{claim, "this solution", weight.upper}.text() + "; it is thrown out of the cache");
+  static_cast<void>(cache.discard_disproved(instance.id, weight.upper));
+  return std::nullopt;
+}
+
+// What is known besides what the solution itself certifies. If that is the optimum, nothing more is sought, and it goes
+// into the cache; and an exact algorithm that did not prove it is not run again.
+FoundOptimum optimum_beyond(const Catalogue& catalogue, const Instance& instance, const Request& request,
+                            const Execution& execution, const Interval& weight, const Options& options) {
+  std::optional<OptimumCache> cache = open_cache(options);
+  const AlgorithmInfo& solver = *request.algorithm;
+  const OptimumKey key = optimum_key(instance.id, solver, request.parameters);
+  const auto earlier = cache ? cached_of(*cache, instance, key, weight) : std::nullopt;
+  const std::optional<Interval> own = witnessed_optimum(execution.solution.optimum, weight).interval;
+  if (optimality_of(own) == Optimality::proved) {
+    if (earlier && !overlap(earlier->interval, *own)) return cached(*earlier, solver);  // a contradiction: rate() tells
+    if (cache && solver.exactness == Exactness::exact) cache->store(key, {*own, execution.wall_time_s});
+    return {};
+  }
+  if (earlier) return cached(*earlier, solver);
+  RunLimits limits;
+  limits.time_s = options.time_limit_s.value_or(limits.time_s);
+  const auto n = static_cast<Index>(instance.set.points.size());
+  auto sources = optimum_sources_for(catalogue, {}, n, instance.hull_size == n);
+  std::erase(sources, &solver);
+  return search_optimum(instance, std::move(sources), limits, cache ? &*cache : nullptr,
+                        {"this solution", weight.upper});
+}
+
+SolveReport describe(const Request& request, const Instance& instance, const Execution& execution,
+                     const Judgement& judgement) {
+  SolveReport report;
+  report.algorithm = request.algorithm->name;
+  report.parameters = request.parameters.all();
+  report.seed = request.seed;
+  report.threads = request.threads;
+  report.n = instance.set.input_count;
+  report.distinct = static_cast<Index>(instance.set.points.size());
+  report.duplicates = instance.set.duplicates();
+  report.hull_size = instance.hull_size;
+  report.triangles = execution.solution.triangulation.triangles.size();
+  report.count = execution.solution.count;
+  report.stop_reason = execution.solution.stop_reason;
+  report.valid = !judgement.violation;
+  report.wall_time_s = execution.wall_time_s;
+  report.cpu_time_s = execution.cpu_time_s;
+  report.peak_rss_bytes = execution.peak_rss_bytes;
+  report.phases = execution.phases;
+  report.counters = execution.solution.counters;
+  if (report.valid) {
+    report.edges = judgement.edges;
+    report.weight = judgement.weight;
+    report.perimeter_sum = judgement.perimeter_sum.middle();
+  }
+  return report;
+}
+
+// Fills in what is certified. Returns the claims that triangulations disprove: failures of this program.
+std::vector<std::string> rate(SolveReport& report, const std::optional<Interval>& claimed, const FoundOptimum& found) {
+  std::vector<std::string> contradictions = found.contradictions;
+  const auto add = [&](const std::vector<Disproof>& disproofs) {
+    for (const Disproof& disproof : disproofs) contradictions.push_back(disproof.text());
+  };
+  const double weight = report.weight->upper;
+  const WitnessedOptimum own = witnessed_optimum(claimed, *report.weight);
+  if (own.contradiction) add({{{"", report.algorithm, *claimed}, "", weight}});
+  OptimumClaims claims;
+  if (found.interval) {
+    const std::string source = found.is_cached ? cached_claimant(found.source) : found.source;
+    add(claims.add_claim({"", source, *found.interval}));
+  }
+  add(claims.add_weight({report.algorithm, weight}));
+  if (own.interval) add(claims.add_claim({"", report.algorithm, *own.interval}));
+  report.optimum = claims.bounds();
+  if (report.optimum) report.alpha = alpha_of(*report.weight, *report.optimum);
+  report.optimality = name_of(optimality_of(report.optimum));
+  report.optimum_cached = found.is_cached;
+  return contradictions;
+}
+
+std::vector<OutputOption> outputs_of(const Options& options) {
+  std::vector<OutputOption> outputs;
+  for (const auto& [name, file] :
+       {std::pair("--triangles", options.triangles), {"--edges", options.edges}, {"--svg", options.svg}}) {
+    if (file) outputs.push_back({name, *file});
+  }
+  return outputs;
+}
+
+// Everything that can be wrong about them, before an hour of work is lost to it.
+void require_usable_outputs(const Options& options, const Request& request) {
+  const std::vector<OutputOption> outputs = outputs_of(options);
+  std::vector<std::string> inputs = {options.points};
+  if (const auto start = start_file_of(*request.algorithm, request.parameters)) inputs.push_back(*start);
+  require_usable_outputs(outputs, inputs);
+  for (const auto& table : {options.triangles, options.edges}) {
+    if (table) require_table_name(*table);
+  }
+  if (options.svg) require_picture_name(*options.svg);
+  const auto streamed = output_to_standard_output(outputs);
+  if (streamed && options.json)
+    throw InputError("--json and " + streamed->option + " both go to standard output; give " + streamed->option +
+                     " a file");
+}
+
+void write_files(const Options& options, const Instance& instance, const std::vector<Point>& input,
+                 const Triangulation& triangulation) {
+  const Triangulation in_input{instance.set.input_count, to_input_indices(instance.set, triangulation.triangles)};
+  if (options.triangles) write_triangles(*options.triangles, in_input.triangles);
+  if (options.edges) write_edges(*options.edges, edges_of(in_input));
+  if (options.svg) write_svg(*options.svg, input, in_input);
+}
+
+// Standard output is for the file if one goes there.
+void print(const Options& options, const SolveReport& report) {
+  std::ostream& out = output_to_standard_output(outputs_of(options)) ? std::cerr : std::cout;
+  out << (options.json ? to_json(report) : readable_text(report));
+}
+
+int solve(const Options& options) {
+  const Catalogue catalogue = Catalogue::built_in();
+  static_cast<void>(catalogue.algorithm(options.algorithm));  // an unknown name is reported before a large file is read
+  const std::vector<Point> input = read_points(options.points);
+  const Instance instance = make_instance(input, source_name(options.points));
+  const Request request = make_request(options, catalogue, instance, input);
+  require_usable_outputs(options, request);
+  const Execution execution = execute_once(request, instance.set.points);
+  const Judgement judgement = judge(instance.set.points, execution.solution.triangulation);
+  SolveReport report = describe(request, instance, execution, judgement);
+  if (judgement.violation) {
+    print(options, report);
+    throw std::logic_error(report.algorithm + " returned no triangulation: " + *judgement.violation);
+  }
+  FoundOptimum found;
+  if (options.with_optimum) found = optimum_beyond(catalogue, instance, request, execution, judgement.weight, options);
+  for (const std::string& warning : found.warnings) warn(warning);
+  const std::vector<std::string> contradictions = rate(report, execution.solution.optimum, found);
+  write_files(options, instance, input, execution.solution.triangulation);
+  print(options, report);
+  if (!contradictions.empty()) throw std::logic_error(joined(contradictions, "; "));
+  return kExitOk;
+}
+
+void declare(CommandOptions& declared, Options& options) {
+  declared.argument("points", options.points, "point file; - for stdin");
+  declared.required("--algorithm", options.algorithm, "name of an algorithm (mwt list algorithms)");
+  declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
+  declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
+  declared.positive("--threads", options.threads, "threads that the algorithm may use", kMostWorkers);
+  declared.positive("--time-limit", options.time_limit_s, "return the best result found within this many seconds");
+  declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to compute alpha");
+  declared.flag("--no-cache", options.no_cache, "seek that optimum anew; leave the optimum cache alone");
+  declared.flag("--json", options.json, "print one JSON object");
+  declared.option(
+      "--triangles", options.triangles,
+      "write the triangles (a,b,c per line; positions in the point file); with - for this or the next two, the "
+      "report goes to standard error");
+  declared.option("--edges", options.edges, "write the edges (a,b per line)");
+  declared.option("--svg", options.svg, "write a picture (.svg)");
+}
+
+}  // namespace
+
+Command solve_command() {
+  const auto options = std::make_shared<Options>();
+  return {"solve", "Triangulate your own points with one algorithm and say how good the result is",
+          [options](CommandOptions& declared) { declare(declared, *options); }, [options] { return solve(*options); }};
+}
+
+}  // namespace mwt

@@ -1,0 +1,58 @@
+#include <iostream>
+#include <memory>
+
+#include "base/error.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/history_option.h"
+#include "harness/tracking/history/history.h"
+#include "harness/tracking/result_set.h"
+
+namespace mwt {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> folders;
+  std::optional<std::string> history;
+};
+
+std::string word_for(History::Added added) {
+  switch (added) {
+    case History::Added::as_new: return "added";
+    case History::Added::as_another: return "added beside older ones: the study's file or the program is another";
+    case History::Added::unchanged: return "known already";
+    case History::Added::replaced: return "in place of older ones";
+    case History::Added::outdated: return "left out: newer ones are known";
+  }
+  return "";
+}
+
+// All folders are read before the first one is added: a mistake in one leaves the history as it was.
+int track(const Options& options) {
+  std::vector<Night> nights;
+  for (const std::string& folder : options.folders) {
+    for (Night& night : nights_of(read_results(folder))) nights.push_back(std::move(night));
+  }
+  if (nights.empty()) throw InputError(options.folders.front() + ": has no runs");
+  make_folder_of(history_path(options.history));
+  History history(history_path(options.history), History::Mode::write);
+  for (const Night& night : nights) {
+    const History::Added added = history.add(night);
+    std::cout << night.study << ' ' << night.git_commit << " on " << night.machine << ": " << night.values.size()
+              << " values " << word_for(added) << '\n';
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+Command track_command() {
+  const auto options = std::make_shared<Options>();
+  const auto declare = [options](CommandOptions& declared) {
+    declared.arguments("dir", options->folders, "folders of results, of any schema version");
+    declared.option("--history", options->history, kHistoryHelp);
+  };
+  return {"track", "Append a study's medians to the history", declare, [options] { return track(*options); }};
+}
+
+}  // namespace mwt

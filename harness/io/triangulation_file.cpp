@@ -1,0 +1,105 @@
+#include "harness/io/triangulation_file.h"
+
+#include <array>
+#include <numeric>
+
+#include "harness/io/text/cell_text.h"
+#include "harness/io/input_file.h"
+#include "base/number_text.h"
+#include "harness/io/output_file.h"
+#include "harness/io/text/text_file.h"
+#include "harness/io/text/text_table.h"
+
+namespace mwt {
+
+namespace {
+
+template <std::size_t kCorners>
+using Corners = std::array<Index, kCorners>;
+
+constexpr std::array<std::string_view, 3> kNames{"a", "b", "c"};
+
+// "a, b and c".
+template <std::size_t kCorners>
+std::string corner_names() {
+  return kCorners == 2 ? "a and b" : "a, b and c";
+}
+
+// The first columns, unless the header names the corners. Precondition: the table stands at its first row.
+template <std::size_t kCorners>
+std::array<std::size_t, kCorners> find_columns(const TextTable& table) {
+  const std::size_t width = table.columns().size();
+  if (width < kCorners || (width > kCorners && table.header().empty())) {
+    table.fail(std::to_string(width) + " column(s) where there should be " + std::to_string(kCorners) +
+               "; name further columns in a header such as a,b,c,perimeter");
+  }
+  std::array<std::size_t, kCorners> columns;
+  std::iota(columns.begin(), columns.end(), std::size_t{0});
+  std::size_t named = 0;
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    const auto place = table.column_named(kNames[i]);
+    if (place) columns[i] = *place;
+    if (place) ++named;
+  }
+  const bool begins_with_labels = !table.header().empty() && names_row_labels(table.header().front());
+  if (named == kCorners || (named == 0 && !begins_with_labels)) return columns;
+  table.fail_in_header("the header does not tell which columns are the corners; call them " + corner_names<kCorners>());
+}
+
+template <std::size_t kCorners>
+std::vector<Corners<kCorners>> read_corners(const std::string& path, const std::string& what) {
+  const std::string text = read_text_file(path);
+  TextTable table(source_name(path), text);
+  std::vector<Corners<kCorners>> rows;
+  std::array<std::size_t, kCorners> columns{};
+  while (table.next_row()) {
+    if (rows.empty()) columns = find_columns<kCorners>(table);
+    Corners<kCorners> row;
+    for (std::size_t i = 0; i < kCorners; ++i) row[i] = table.index(columns[i]);
+    rows.push_back(row);
+  }
+  if (rows.empty()) table.fail_as_a_whole("no " + what + " in it; write one per line, corners by index from 0");
+  return rows;
+}
+
+void append_row(OutputFile& file, std::span<const Index> corners) {
+  std::string line;
+  for (const Index corner : corners) {
+    if (!line.empty()) line += ',';
+    append_integer(line, corner);
+  }
+  line += '\n';
+  file.append(line);
+}
+
+}  // namespace
+
+std::vector<Triangle> read_triangles(const std::string& path) { return read_corners<3>(path, "triangles"); }
+
+std::vector<Edge> read_edges(const std::string& path) {
+  std::vector<Edge> edges;
+  for (const auto& [a, b] : read_corners<2>(path, "edges")) edges.push_back(make_edge(a, b));
+  return edges;
+}
+
+void require_table_name(const std::string& path) {
+  require_fitting_ending(path, {".csv"}, "triangles and edges are written as CSV");
+}
+
+void write_triangles(const std::string& path, std::span<const Triangle> triangles) {
+  require_table_name(path);
+  write_file_atomically(path, [&](OutputFile& file) {
+    file.append("a,b,c\n");
+    for (const Triangle& triangle : triangles) append_row(file, triangle);
+  });
+}
+
+void write_edges(const std::string& path, std::span<const Edge> edges) {
+  require_table_name(path);
+  write_file_atomically(path, [&](OutputFile& file) {
+    file.append("a,b\n");
+    for (const Edge& edge : edges) append_row(file, std::array{edge.a, edge.b});
+  });
+}
+
+}  // namespace mwt

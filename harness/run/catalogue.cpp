@@ -1,0 +1,56 @@
+#include "harness/run/catalogue.h"
+
+#include <new>
+
+#include "algorithms/registry.h"
+#include "generators/generation.h"
+#include "generators/registry.h"
+#include "base/error.h"
+#include "harness/run/machine/proc_file.h"
+
+namespace mwt {
+
+namespace {
+
+// The points, copies of them while they are made, checked and told apart, and their hull.
+constexpr std::uint64_t kBytesPerPoint = 100;
+
+template <class Info>
+const Info& find(std::span<const Info> entries, const std::string& kind, const std::string& name) {
+  std::string known;
+  for (const Info& entry : entries) {
+    if (entry.name == name) return entry;
+    known += (known.empty() ? "" : ", ") + entry.name;
+  }
+  throw InputError("unknown " + kind + " '" + name + "'; known: " + known);
+}
+
+}  // namespace
+
+Catalogue Catalogue::built_in() { return {mwt::algorithms(), mwt::generators()}; }
+
+const AlgorithmInfo& Catalogue::algorithm(const std::string& name) const {
+  return find(algorithms_, "algorithm", name);
+}
+
+const GeneratorInfo& Catalogue::generator(const std::string& name) const {
+  return find(generators_, "generator", name);
+}
+
+std::vector<Point> generate_points(const GeneratorInfo& family, Index n, std::uint64_t seed,
+                                   const Parameters& parameters) {
+  const std::uint64_t needed = kBytesPerPoint * n;
+  const std::uint64_t available = kilobytes_in("/proc/meminfo", "MemAvailable:").value_or(needed / 1024) * 1024;
+  const std::string what = family.name + " n=" + std::to_string(n);
+  if (needed > available) {
+    throw NotEnoughMemory(what + ": needs about " + std::to_string(needed >> 30) + " GB of memory, but " +
+                          std::to_string(available >> 30) + " GB are free; choose a smaller n");
+  }
+  try {
+    return generate_verified(family, n, seed, parameters);
+  } catch (const std::bad_alloc&) {
+    throw NotEnoughMemory(what + ": not enough memory for the points; choose a smaller n");
+  }
+}
+
+}  // namespace mwt

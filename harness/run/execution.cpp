@@ -1,0 +1,80 @@
+#include "harness/run/execution.h"
+
+#include <utility>
+
+#include "geometry/checker.h"
+#include "geometry/convex_hull.h"
+#include "base/cpu_clock.h"
+#include "geometry/weight.h"
+#include "harness/run/machine/peak_memory.h"
+#include "harness/run/repeated_timing.h"
+
+namespace mwt {
+
+namespace {
+
+Context make_context(const Request& request) {
+  Context context;
+  context.seed = request.seed;
+  context.threads = request.threads;
+  context.parameters = request.parameters;
+  context.start = request.start;
+  context.progress = request.progress;
+  return context;
+}
+
+// One execution in a context that may have served before: only its deadline and its phases are of one execution.
+Solution execute(const Request& request, Points points, Context& context) {
+  context.phases.clear();
+  if (request.time_limit_s) {
+    const std::chrono::duration<double> limit(*request.time_limit_s);
+    context.deadline = Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(limit);
+  }
+  return request.algorithm->function(points, context);
+}
+
+}  // namespace
+
+Instance make_instance(const std::vector<Point>& input, const std::string& source) {
+  Instance instance;
+  instance.set = make_point_set(input, source);
+  instance.id = instance_id(instance.set.points);
+  instance.hull_size = static_cast<Index>(convex_hull(instance.set.points).size());
+  return instance;
+}
+
+Execution execute_repeatedly(const Request& request, Points points, double min_time_s) {
+  Execution execution;
+  Context context = make_context(request);
+  reset_peak_memory();
+  const RepeatedTiming timing = time_repeatedly(
+      [&] {
+        execution.solution = {};  // so that the peak of memory is that of one execution
+        execution.solution = execute(request, points, context);
+      },
+      min_time_s);
+  execution.wall_time_s = timing.wall_time_s;
+  execution.cpu_time_s = timing.cpu_time_s;
+  execution.iterations = timing.executions;
+  execution.peak_rss_bytes = peak_memory_bytes();
+  execution.phases = std::move(context.phases);
+  return execution;
+}
+
+Execution execute_once(const Request& request, Points points) { return execute_repeatedly(request, points, 0); }
+
+Judgement judge(Points points, const Triangulation& triangulation) {
+  Judgement judgement;
+  if (const auto violation = find_violation(points, triangulation)) {
+    judgement.violation = violation->message;
+    return judgement;
+  }
+  judgement.weight = weight(points, triangulation);
+  judgement.perimeter_sum = perimeter_sum(points, triangulation);
+  judgement.triangles = triangulation.triangles.size();
+  // By Euler's formula, for the checker has seen that 3 sides per triangle pair up except on the hull.
+  judgement.edges = (judgement.triangles * 3 + convex_hull(points).size()) / 2;
+  return judgement;
+}
+
+}  // namespace mwt

@@ -1,0 +1,267 @@
+#include "harness/tracking/comparison/interleaved_builds.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "generators/random.h"
+#include "base/error.h"
+#include "harness/io/input_file.h"
+#include "base/number_text.h"
+#include "harness/io/output_file.h"
+#include "harness/cli/command_line.h"
+#include "harness/io/progress.h"
+#include "harness/run/interrupt.h"
+#include "harness/study/plan.h"
+#include "harness/records/results_folder.h"
+#include "harness/io/text/text.h"
+#include "harness/tracking/result_set.h"
+#include "harness/tracking/comparison/run_program.h"
+
+namespace mwt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As a TOML string.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + '"';
+}
+
+/// A pattern that this name alone matches.
+std::string pattern_of(const std::string& name) {
+  std::string pattern;
+  for (const char c : name)
+    pattern += std::string("*?[").find(c) == std::string::npos ? std::string(1, c) : std::string("[") + c + ']';
+  return pattern;
+}
+
+/// "a=1 b=x" as a TOML table: { a = "1", b = "x" }. A start that is a file gets its whole path.
+std::string toml_table(const std::string& parameters, const std::optional<std::string>& start_file = {}) {
+  std::vector<std::string> entries;
+  for (const auto& [name, value] : parse_canonical(parameters)) {
+    const bool is_start = start_file && name == "start";
+    entries.push_back(name + " = " + quoted(is_start ? fs::absolute(*start_file).string() : value));
+  }
+  return "{ " + joined(entries) + " }";
+}
+
+/// Where the points come from: a family, or one file.
+std::string source_of(const Study& study, const PlannedInstance& instance) {
+  if (instance.generator == kFileGenerator) {
+    const std::string name = instance.parameters.substr(std::string("file=").size());
+    return "[instances]\nfolder = " + quoted(fs::absolute(study.instance_files.folder).string()) + "\nfiles = [" +
+           quoted(pattern_of(name)) + "]\n";
+  }
+  return "[[families]]\nname = " + quoted(instance.generator) + "\nparameters = " + toml_table(instance.parameters) +
+         "\nsizes = [" + std::to_string(instance.n) + "]\n";
+}
+
+/// A study of one cell and one repetition.
+std::string study_of(const Study& study, const PlannedInstance& instance, const PlannedRun& run) {
+  const RunLimits& limits = study.limits;
+  return "name = \"cell\"\nsummary = \"one cell\"\nseeds = [" + std::to_string(instance.seed) +
+         "]\nalgorithms = [{ name = " + quoted(run.algorithm->name) +
+         ", parameters = " + toml_table(run.parameters.canonical(), run.start_file) +
+         " }]\nthreads = " + std::to_string(study.threads) + "\nmin_time_s = " + number_text(study.min_time_s) +
+         "\n[limits]\ntime_s = " + number_text(limits.time_s) + "\ngrace_s = " + number_text(limits.grace_s) +
+         "\nmemory_mb = " + std::to_string(std::max<std::uint64_t>(1, limits.memory_bytes >> 20)) +
+         "\n[optimum]\nseek = false\n" + source_of(study, instance);
+}
+
+void require_algorithms(const Plan& plan, const Study& study, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const bool has_it = std::any_of(plan.runs.begin(), plan.runs.end(),
+                                    [&](const PlannedRun& run) { return run.algorithm->name == name; });
+    if (!has_it) throw InputError("study '" + study.name + "' has no algorithm '" + name + "'");
+  }
+}
+
+TrackedCell cell_of(const Study& study, const PlannedInstance& instance, const PlannedRun& run) {
+  return {run.algorithm->name, run.parameters.canonical(),
+          instance.generator,  instance.parameters,
+          instance.n,          instance.seed,
+          study.threads};
+}
+
+/// A study file for every cell that is to be run. Only cells of `algorithms`, unless that is empty.
+std::map<TrackedCell, std::string> studies_of_cells(const Study& study, const Catalogue& catalogue,
+                                                    const std::vector<std::string>& algorithms) {
+  const Plan plan = make_plan(study, catalogue);
+  require_algorithms(plan, study, algorithms);
+  const auto is_wanted = [&](const std::string& name) {
+    return algorithms.empty() || std::find(algorithms.begin(), algorithms.end(), name) != algorithms.end();
+  };
+  std::map<TrackedCell, std::string> cells;
+  for (const PlannedRun& run : plan.runs) {
+    const PlannedInstance& instance = plan.instances[run.instance];
+    if (instance.n > run.largest_n || !is_wanted(run.algorithm->name)) continue;
+    cells.try_emplace(cell_of(study, instance, run), study_of(study, instance, run));
+  }
+  if (cells.empty()) throw InputError("study '" + study.name + "' has nothing to run");
+  return cells;
+}
+
+std::string program_of(const std::string& build) {
+  const fs::path path(build);
+  const fs::path program = fs::is_directory(path) ? path / "mwt" : path;
+  if (access(program.c_str(), X_OK) != 0) throw InputError(program.string() + ": no program is there; build it first");
+  return fs::absolute(program).string();
+}
+
+/// One of the two builds: its program and the results that it has given so far.
+class Side {
+ public:
+  Side(const std::string& build, const std::string& folder, const Study& study)
+      : program_(program_of(build)), results_(folder, study, false), study_name_(study.name) {}
+
+  void run(const TrackedCell& cell, const std::string& study_file, const fs::path& scratch, int repetition) {
+    const fs::path records = scratch / "records";
+    const std::string log = (scratch / "log").string();
+    fs::remove_all(records);
+    const int code = run_program({program_, "run", study_file, "--out", records.string(), "--no-cache"}, log);
+    if (InterruptWatch::requested()) return;
+    // A failed run is a row, whatever the program's exit code says of it.
+    const bool has_records = code == kExitOk || (code == kExitNegative && fs::exists(records / "runs.csv"));
+    if (!has_records)
+      throw InputError(program_ + ": exit code " + std::to_string(code) + ": " + end_of(read_file(log)));
+    adopt(cell, read_results(records.string()), repetition);
+  }
+
+ private:
+  static std::string end_of(const std::string& text) {
+    return one_line(text.substr(text.size() - std::min<std::size_t>(text.size(), 300)));
+  }
+
+  /// All runs get the environment of the first one: it is the same machine and program throughout.
+  void adopt(const TrackedCell& cell, ResultSet results, int repetition) {
+    if (env_id_.empty() && !results.environments.empty()) {
+      EnvironmentRecord environment = results.environments.front();
+      environment.study = study_name_;
+      env_id_ = environment.env_id;
+      results_.append(environment);
+    }
+    for (RunRecord& run : results.runs) {
+      run.schema_version = kSchemaVersion;
+      run.study = study_name_;
+      run.env_id = env_id_;
+      run.params = cell.params;  // without the path of a start
+      run.repetition = repetition;
+      run.run_id = short_hash(run.run_id + '\n' + std::to_string(repetition));
+      results_.append(run);
+    }
+  }
+
+  std::string program_;
+  ResultsFolder results_;
+  std::string study_name_;
+  std::string env_id_;
+};
+
+/// A folder that is gone when this object is.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string pattern = (fs::temp_directory_path() / "mwt_compare_XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw InputError(pattern + ": cannot make this folder");
+    path_ = pattern;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+template <class Item>
+void shuffle(std::vector<Item>& items, RandomEngine& engine) {
+  for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[uniform_below(engine, i)]);
+}
+
+}  // namespace
+
+struct InterleavedBuilds::Sides {
+  Sides(const Study& study, const InterleavedOptions& options, const std::string& base_folder,
+        const std::string& new_folder)
+      : base(options.build_a, base_folder, study),
+        now(options.build_b, new_folder, study),
+        engine(make_engine("interleaved_builds", options.seed)) {}
+
+  void run(const TrackedCell& cell, const std::string& study) {
+    const std::string study_file = (scratch.path() / "cell.toml").string();
+    write_file_atomically(study_file, study);
+    const bool base_first = uniform_below(engine, 2) == 0;
+    for (Side* side : {base_first ? &base : &now, base_first ? &now : &base})
+      side->run(cell, study_file, scratch.path(), repetition);
+  }
+
+  Side base;
+  Side now;
+  ScratchFolder scratch;
+  RandomEngine engine;
+  int repetition = 0;
+};
+
+InterleavedBuilds::InterleavedBuilds(const Study& study, const Catalogue& catalogue, const InterleavedOptions& options,
+                                     std::ostream& out)
+    : studies_(studies_of_cells(study, catalogue, options.algorithms)),
+      options_(options),
+      out_(out),
+      sides_(std::make_unique<Sides>(study, options, base_folder(), new_folder())) {}
+
+InterleavedBuilds::~InterleavedBuilds() = default;
+
+std::string InterleavedBuilds::base_folder() const { return (fs::path(options_.folder) / "base").string(); }
+
+std::string InterleavedBuilds::new_folder() const { return (fs::path(options_.folder) / "new").string(); }
+
+std::set<TrackedCell> InterleavedBuilds::cells() const {
+  std::set<TrackedCell> cells;
+  for (const auto& [cell, study] : studies_) cells.insert(cell);
+  return cells;
+}
+
+bool InterleavedBuilds::is_out_of_time() const {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+  return options_.budget_s && elapsed.count() >= *options_.budget_s;
+}
+
+int InterleavedBuilds::repetitions() const { return sides_->repetition; }
+
+bool InterleavedBuilds::run(const std::set<TrackedCell>& wanted, int repetitions) {
+  std::vector<TrackedCell> order(wanted.begin(), wanted.end());
+  const InterruptWatch watch;
+  Progress progress(out_, options_.is_terminal, "pairs", order.size() * static_cast<std::size_t>(repetitions));
+  for (const int end = sides_->repetition + repetitions; sides_->repetition < end; ++sides_->repetition) {
+    shuffle(order, sides_->engine);
+    for (const TrackedCell& cell : order) {
+      if (InterruptWatch::requested()) break;
+      sides_->run(cell, studies_.at(cell));
+      progress.advance(false, "repetition " + std::to_string(sides_->repetition + 1));
+    }
+    if (is_out_of_time()) {
+      ++sides_->repetition;
+      break;
+    }
+  }
+  progress.finish();
+  return !InterruptWatch::requested();
+}
+
+}  // namespace mwt

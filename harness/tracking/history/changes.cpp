@@ -1,0 +1,181 @@
+#include "harness/tracking/history/changes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <span>
+#include <tuple>
+
+#include "harness/statistics/change_points.h"
+#include "harness/statistics/quantile.h"
+#include "harness/io/text/text.h"
+
+namespace mwt {
+
+namespace {
+
+constexpr double kNoiseOfTime = 0.005;  // at least, relatively
+constexpr double kNoiseOfMemory = 0.002;
+constexpr double kSameQuality = 1e-9;
+constexpr std::size_t kNightsApart = 2;
+
+std::vector<double> logarithms(const std::vector<double>& values) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(std::log(value));
+  return result;
+}
+
+/// Logarithms relative to the first value, rounded to what counts as a difference.
+std::vector<double> rounded_logarithms(const std::vector<double>& values) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(std::round(std::log(value / values.front()) / kSameQuality));
+  return result;
+}
+
+std::vector<Step> steps_of(const Series& series, Aspect aspect) {
+  switch (aspect) {
+    case Aspect::time: return find_steps(logarithms(series.values), {.least_noise = kNoiseOfTime});
+    case Aspect::memory: return find_steps(logarithms(series.values), {.least_noise = kNoiseOfMemory});
+    case Aspect::quality: return find_exact_steps(rounded_logarithms(series.values));
+    case Aspect::failures: return find_exact_steps(series.values);
+  }
+  return {};
+}
+
+double level(const Series& series, std::size_t begin, std::size_t end) {
+  return median(std::span(series.values).subspan(begin, end - begin));
+}
+
+bool is_worth_telling(const SeriesStep& step, Aspect aspect, const ChangeOptions& options) {
+  if (aspect == Aspect::quality || aspect == Aspect::failures) return true;
+  return std::fabs(std::log(step.after / step.before)) >= std::log1p(options.least_change);
+}
+
+std::vector<SeriesStep> series_steps(const Series& series, Aspect aspect, const ChangeOptions& options) {
+  const std::vector<Step> found = steps_of(series, aspect);
+  std::vector<SeriesStep> steps;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const std::size_t begin = i == 0 ? 0 : found[i - 1].first;
+    const std::size_t end = i + 1 < found.size() ? found[i + 1].first : series.values.size();
+    const std::size_t first = found[i].first;
+    const SeriesStep step{series.key, series.nights[first], series.nights[first - 1], level(series, begin, first),
+                          level(series, first, end)};
+    if (is_worth_telling(step, aspect, options)) steps.push_back(step);
+  }
+  return steps;
+}
+
+/// Which series are looked at: of the times only one measure.
+class SeriesChoice {
+ public:
+  explicit SeriesChoice(const std::vector<Series>& all) {
+    for (const Series& series : all) {
+      if (series.key.measure == "relative_time") with_yardstick_.insert({series.key.study, series.key.environment});
+    }
+  }
+
+  [[nodiscard]] bool has(const SeriesKey& key) const {
+    if (measure_named(key.measure).aspect != Aspect::time) return true;
+    const bool with_yardstick = with_yardstick_.contains({key.study, key.environment});
+    return key.measure == (with_yardstick ? "relative_time" : "wall_time_s");
+  }
+
+ private:
+  std::set<std::pair<std::string, std::string>> with_yardstick_;
+};
+
+/// What steps have in common that may make one change.
+using ChangeKey = std::tuple<std::string, std::string, std::string, Aspect, bool>;
+
+/// Consecutive steps that are at most kNightsApart apart. Precondition: ordered by night.
+std::vector<std::vector<SeriesStep>> groups_in_time(const std::vector<SeriesStep>& steps) {
+  std::vector<std::vector<SeriesStep>> groups;
+  for (const SeriesStep& step : steps) {
+    if (groups.empty() || step.night > groups.back().back().night + kNightsApart) groups.emplace_back();
+    groups.back().push_back(step);
+  }
+  return groups;
+}
+
+void choose_night(Change& change) {
+  std::map<std::size_t, std::size_t> votes;
+  for (const SeriesStep& step : change.steps) ++votes[step.night];
+  const auto chosen =
+      std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  change.night = chosen->first;
+  for (const SeriesStep& step : change.steps) {
+    if (step.night == change.night) change.previous_night = std::max(change.previous_night, step.previous_night);
+  }
+}
+
+Change change_of(const ChangeKey& key, std::vector<SeriesStep> steps) {
+  Change change;
+  std::tie(change.study, change.environment, change.algorithm, change.aspect, change.is_regression) = key;
+  change.steps = std::move(steps);
+  choose_night(change);
+  double sum = 0;
+  for (const SeriesStep& step : change.steps)
+    sum += change.aspect == Aspect::failures ? step.after - step.before : std::log(step.after / step.before);
+  const double mean = sum / static_cast<double>(change.steps.size());
+  change.factor = change.aspect == Aspect::failures ? mean : std::exp(mean);
+  return change;
+}
+
+std::string amount(const Change& change) {
+  const std::string sign = change.is_regression ? "+" : "";
+  if (change.aspect == Aspect::failures) return sign + fixed(100 * change.factor, 0) + "% of runs";
+  if (change.aspect == Aspect::quality) return sign + fixed(100 * (change.factor - 1), 6) + '%';
+  return std::string("x").append(fixed(change.factor, 3));
+}
+
+std::string where(const Change& change) {
+  std::vector<std::string> places;
+  for (const SeriesStep& step : change.steps) {
+    const TrackedCell& cell = step.key.cell;
+    const std::string place = family_label(cell) + " n=" + std::to_string(cell.n);
+    if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
+  }
+  constexpr std::size_t kNamed = 4;
+  const std::size_t more = places.size() > kNamed ? places.size() - kNamed : 0;
+  places.resize(places.size() - more);
+  return joined(places) + (more > 0 ? " and " + std::to_string(more) + " more" : "");
+}
+
+std::string short_commit(const std::string& commit) { return commit.substr(0, 10); }
+
+}  // namespace
+
+std::vector<Change> find_changes(const std::vector<Night>& nights, const ChangeOptions& options) {
+  const std::vector<Series> all = series_of(nights);
+  const SeriesChoice choice(all);
+  std::map<ChangeKey, std::vector<SeriesStep>> steps_by_key;
+  for (const Series& series : all) {
+    if (!choice.has(series.key)) continue;
+    const Aspect aspect = measure_named(series.key.measure).aspect;
+    for (const SeriesStep& step : series_steps(series, aspect, options)) {
+      const bool is_regression = step.after > step.before;
+      steps_by_key[{step.key.study, step.key.environment, algorithm_label(step.key.cell), aspect, is_regression}]
+          .push_back(step);
+    }
+  }
+  std::vector<Change> changes;
+  for (auto& [key, steps] : steps_by_key) {
+    std::stable_sort(steps.begin(), steps.end(),
+                     [](const SeriesStep& a, const SeriesStep& b) { return a.night < b.night; });
+    for (auto& group : groups_in_time(steps)) changes.push_back(change_of(key, std::move(group)));
+  }
+  std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
+    return std::tuple(a.night, !a.is_regression, a.algorithm) < std::tuple(b.night, !b.is_regression, b.algorithm);
+  });
+  return changes;
+}
+
+std::string describe(const Change& change, const std::vector<Night>& nights) {
+  const Night& night = nights[change.night];
+  return night.recorded_at.substr(0, 10) + ' ' + (change.is_regression ? "regression " : "improvement ") +
+         change.algorithm + ": " + name_of(change.aspect) + ' ' + amount(change) + " on " + where(change) + " (" +
+         short_commit(nights[change.previous_night].git_commit) + ".." + short_commit(night.git_commit) + ")";
+}
+
+}  // namespace mwt

@@ -1,0 +1,71 @@
+#include "harness/tracking/history/night.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "harness/io/text/text.h"
+#include "harness/tracking/measures.h"
+
+namespace mwt {
+
+namespace {
+
+/// What the runs of a night have in common.
+struct NightKey {
+  std::string git_commit;
+  std::string environment;
+  std::string machine;
+  std::string study;
+  std::string configuration;
+
+  friend auto operator<=>(const NightKey&, const NightKey&) = default;
+};
+
+std::string configuration_of(const ResultSet& results, const RunRecord& run) {
+  const bool commit_tells = !run.git_commit.ends_with("-dirty") && run.git_commit != "unknown";
+  const std::string program = commit_tells ? "" : run.binary_sha256;
+  if (results.study_file.empty() && program.empty()) return "";
+  return short_hash(results.study_file + '\n' + program);
+}
+
+NightKey key_of(const ResultSet& results, const RunRecord& run) {
+  const EnvironmentRecord environment = results.environment_of(run);
+  const std::string machine = machine_of(environment);
+  const std::string name = machine.empty() ? "unknown" : machine;
+  return {run.git_commit, short_hash(name + '\n' + std::to_string(environment.jobs)), name, run.study,
+          configuration_of(results, run)};
+}
+
+void add_values(Night& night, const std::vector<const RunRecord*>& runs) {
+  std::map<TrackedCell, std::vector<const RunRecord*>> cells;
+  for (const RunRecord* run : runs) {
+    cells[cell_of(*run)].push_back(run);
+    night.recorded_at = std::max(night.recorded_at, run->recorded_at);
+  }
+  for (const auto& [cell, cell_runs] : cells) {
+    for (const Measure& measure : measures()) {
+      if (const auto value = typical(measure, cell_runs))
+        night.values.push_back({cell, measure.name, value->value, value->runs});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Night> nights_of(const ResultSet& results) {
+  std::map<NightKey, std::vector<const RunRecord*>> runs_of;
+  for (const RunRecord& run : results.runs) runs_of[key_of(results, run)].push_back(&run);
+  std::vector<Night> nights;
+  for (const auto& [key, runs] : runs_of) {
+    Night& night =
+        nights.emplace_back(Night{key.git_commit, key.environment, key.machine, key.study, key.configuration, "", {}});
+    add_values(night, runs);
+  }
+  std::sort(nights.begin(), nights.end(), [](const Night& a, const Night& b) {
+    return std::tie(a.recorded_at, a.git_commit) < std::tie(b.recorded_at, b.git_commit);
+  });
+  return nights;
+}
+
+}  // namespace mwt

@@ -1,0 +1,47 @@
+# One test program per layer, from the x_test.cpp files beside the code. Suites named ...Slow carry the label `slow`.
+include(GoogleTest)
+
+# Half of a build is the compiling of tests, and optimising them costs more than it gains: tests spend their time in the libraries,
+# which stay optimised. These flags come after all others; the presets `ci` and `sanitize` set them.
+set(MWT_TEST_FLAGS "" CACHE STRING "Further compiler flags for the sources of tests, such as -O0")
+separate_arguments(test_flags NATIVE_COMMAND "${MWT_TEST_FLAGS}")
+
+function(mwt_add_tests layer)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${layer}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${layer}_test ${sources})
+  target_link_libraries(${layer}_test PRIVATE ${ARGN} GTest::gtest_main)
+  target_compile_definitions(${layer}_test PRIVATE MWT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  target_compile_options(${layer}_test PRIVATE ${test_flags} ${MWT_PRECOMPILED_HEADER_FLAGS})
+  # Most of what a test's source includes. Nothing else, so that no test compiles without its own includes.
+  target_precompile_headers(${layer}_test PRIVATE <gtest/gtest.h>)
+  gtest_discover_tests(${layer}_test TEST_PREFIX ${layer}. TEST_FILTER "-*Slow*" DISCOVERY_TIMEOUT 120
+                       PROPERTIES LABELS ${layer} TIMEOUT 600)
+  gtest_discover_tests(${layer}_test TEST_PREFIX ${layer}. TEST_FILTER "*Slow*" DISCOVERY_TIMEOUT 120
+                       TEST_LIST ${layer}_slow_tests PROPERTIES LABELS slow TIMEOUT 3000)
+endfunction()
+
+# CGAL: only as an opinion to compare hulls with.
+mwt_add_tests(geometry mwt_geometry CGAL::CGAL)
+mwt_add_tests(generators mwt_generators CGAL::CGAL)
+# Algorithms and generators do not include each other; only their tests do.
+mwt_add_tests(algorithms mwt_algorithms mwt_generators)
+# Boost and JSON: to look at results with other eyes than the harness's own.
+mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json)
+# The harness's tests also run the programs as their users do.
+if(TARGET harness_test)
+  target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>"
+                             MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
+  add_dependencies(harness_test mwt mwt_benchmark)
+endif()
+# What figures compute; the report's page, that of another study and the nights' dashboard, looked at in a headless Chromium.
+# Optimised builds only, for sanitizers have nothing to find in them.
+if(NOT MWT_SANITIZE)
+  add_test(NAME plots.figures COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/figures_test.py)
+  add_test(NAME plots.page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/page_test.py $<TARGET_FILE:mwt>)
+  add_test(NAME plots.foreign_page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/foreign_page_test.py $<TARGET_FILE:mwt>)
+  add_test(NAME plots.dashboard COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/dashboard_test.py $<TARGET_FILE:mwt>)
+  set_tests_properties(plots.figures plots.page plots.foreign_page plots.dashboard PROPERTIES LABELS plots TIMEOUT 600 SKIP_RETURN_CODE 77)
+endif()
