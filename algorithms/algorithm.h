@@ -93,7 +93,7 @@ struct AlgorithmInfo {
   std::string time;       ///< e.g. "O(n log n)"
   std::string space;
   Exactness exactness = Exactness::heuristic;
-  Index largest_n = 0;                ///< largest sensible n: studies go no further; 0: no limit
+  Index max_n = 0;                ///< largest sensible n: studies go no further; 0: no limit
   int version = 1;                    ///< raised whenever a change may alter results: keys cached optima
   bool convex_position_only = false;  ///< NotApplicable unless all points lie on the hull's boundary
   std::vector<ParameterInfo> parameters;

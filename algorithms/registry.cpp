@@ -25,8 +25,8 @@ std::span<const AlgorithmInfo> algorithms() {
   // One line each, so that additions do not move others.
   // clang-format off
   static const std::vector<AlgorithmInfo> entries = {
-      delaunay_entry(),    sweep_entry(),       greedy_report_entry(), greedy_entry(),      hull_insertion_entry(),
-      flip_report_entry(), flip_entry(),        patch_entry(),         annealing_entry(),   quadtree_entry(),
+      delaunay_entry(),    sweep_entry(),       greedy_naive_entry(), greedy_entry(),      hull_insertion_entry(),
+      flip_naive_entry(), flip_entry(),        patch_entry(),         annealing_entry(),   quadtree_entry(),
       polygon_dp_entry(),  brute_force_entry(), subset_dp_entry(),     triangle_lp_entry(), exact_entry(),
       two_chains_entry(),
   };

@@ -19,7 +19,7 @@ const std::vector<ParameterInfo> kDeclared{
     {"start", ParameterType::choice, "greedy", "where to start", {"greedy", "delaunay"}},
 };
 
-Parameters given(const std::map<std::string, std::string>& values) { return {"flip_report", kDeclared, values}; }
+Parameters given(const std::map<std::string, std::string>& values) { return {"flip_naive", kDeclared, values}; }
 
 std::string error(const std::map<std::string, std::string>& values) {
   return message_of<InputError>([&] { given(values); });
@@ -53,7 +53,7 @@ TEST(Parameters, EqualNumbersAreOneConfiguration) {
 }
 
 TEST(Parameters, RejectWhatIsNotDeclared) {
-  EXPECT_EQ(error({{"q", "1"}}), "flip_report: unknown parameter 'q'; it has k, ratio, name, start");
+  EXPECT_EQ(error({{"q", "1"}}), "flip_naive: unknown parameter 'q'; it has k, ratio, name, start");
   EXPECT_EQ(message_of<InputError>([] {
               Parameters("delaunay", {}, {{"q", "1"}});
             }),
@@ -62,19 +62,19 @@ TEST(Parameters, RejectWhatIsNotDeclared) {
 
 TEST(Parameters, RejectValuesOfTheWrongType) {
   for (const char* value : {"x", "1.5", "1 ", "0x10"}) {
-    EXPECT_EQ(error({{"k", value}}), "flip_report: parameter k=" + std::string(value) + " is not a whole number");
+    EXPECT_EQ(error({{"k", value}}), "flip_naive: parameter k=" + std::string(value) + " is not a whole number");
   }
-  EXPECT_EQ(error({{"k", ""}}), "flip_report: parameter k= is empty; give a whole number");
+  EXPECT_EQ(error({{"k", ""}}), "flip_naive: parameter k= is empty; give a whole number");
   EXPECT_EQ(error({{"k", "99999999999999999999"}}),
-            "flip_report: parameter k=99999999999999999999 is above 9223372036854775807; give a whole number");
+            "flip_naive: parameter k=99999999999999999999 is above 9223372036854775807; give a whole number");
   for (const char* value : {"x", "nan", "1,5"}) {
-    EXPECT_EQ(error({{"ratio", value}}), "flip_report: parameter ratio=" + std::string(value) + " is not a number");
+    EXPECT_EQ(error({{"ratio", value}}), "flip_naive: parameter ratio=" + std::string(value) + " is not a number");
   }
   for (const char* value : {"inf", "1e999"}) {
-    EXPECT_EQ(error({{"ratio", value}}), "flip_report: parameter ratio=" + std::string(value) +
+    EXPECT_EQ(error({{"ratio", value}}), "flip_naive: parameter ratio=" + std::string(value) +
                                              " is above 1.7976931348623157e+308; give a number");
   }
-  EXPECT_EQ(error({{"start", "sweep"}}), "flip_report: parameter start=sweep is not one of greedy, delaunay");
+  EXPECT_EQ(error({{"start", "sweep"}}), "flip_naive: parameter start=sweep is not one of greedy, delaunay");
 }
 
 TEST(Parameters, AskingForTheWrongNameIsAProgrammingError) {

@@ -8,7 +8,7 @@ namespace mwt {
 
 namespace {
 
-constexpr char32_t kLargestCodePoint = 0x10FFFF;
+constexpr char32_t kMaxCodePoint = 0x10FFFF;
 
 bool is_surrogate(char32_t code_point) { return code_point >= 0xD800 && code_point <= 0xDFFF; }
 
@@ -22,7 +22,7 @@ std::size_t size_by_first_byte(unsigned char byte) {
 }
 
 // The smallest code point that needs as many bytes; smaller ones written so are invalid.
-constexpr std::array<char32_t, 5> kSmallestOfSize = {0, 0, 0x80, 0x800, 0x10000};
+constexpr std::array<char32_t, 5> kMinOfSize = {0, 0, 0x80, 0x800, 0x10000};
 
 struct Block {
   char32_t first, last;
@@ -52,7 +52,7 @@ std::optional<Character> first_character(std::string_view text) {
     if ((byte & 0xC0) != 0x80) return std::nullopt;
     code_point = code_point << 6 | (byte & 0x3FU);
   }
-  if (code_point < kSmallestOfSize[size] || code_point > kLargestCodePoint || is_surrogate(code_point)) {
+  if (code_point < kMinOfSize[size] || code_point > kMaxCodePoint || is_surrogate(code_point)) {
     return std::nullopt;
   }
   return Character{code_point, size};

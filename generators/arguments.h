@@ -11,7 +11,7 @@ namespace mwt {
 
 /// Double precision carries every n in most families; then 32-bit indices, which must number 2n triangles, are the
 /// limit.
-inline constexpr Index kMostPoints = (Index{1} << 31) - 1;
+inline constexpr Index kMaxPoints = (Index{1} << 31) - 1;
 
 /// Throws InputError naming the nearest legal n unless smallest <= n <= largest.
 void require_size(const std::string& family, Index n, std::uint64_t smallest, std::uint64_t largest);

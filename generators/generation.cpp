@@ -42,8 +42,8 @@ std::vector<Point> call(const GeneratorInfo& family, Index n, std::uint64_t seed
 
 std::vector<Point> generate_verified(const GeneratorInfo& family, Index n, std::uint64_t seed,
                                      const Parameters& parameters) {
-  const Index largest = family.largest_n == 0 ? kMostPoints : family.largest_n;
-  require_size(family.name, n, family.smallest_n, largest);
+  const Index largest = family.max_n == 0 ? kMaxPoints : family.max_n;
+  require_size(family.name, n, family.min_n, largest);
   std::vector<Point> points = call(family, n, seed, parameters);
   if (points.size() != n) fail(family, n, seed, "returned " + std::to_string(points.size()) + " points");
   if (!std::all_of(points.begin(), points.end(), is_finite))

@@ -28,8 +28,8 @@ struct GrowthLaw {
   Kind kind = Kind::power;
   double lowest = 0;
   double highest = 0;
-  Index smallest_n = 3;  ///< the law speaks of smallest_n <= n <= largest_n
-  Index largest_n = 0;
+  Index min_n = 3;  ///< the law speaks of min_n <= n <= max_n
+  Index max_n = 0;
 };
 
 /// A registry entry: one family of instances.
@@ -39,9 +39,9 @@ struct GeneratorInfo {
   std::string source;    ///< where the idea comes from
   std::string stresses;  ///< which claim or algorithm it is aimed at
   std::string law;       ///< known optimum or growth law of alpha, or "none known"; for people
-  Index smallest_n = 3;
-  Index largest_n = 0;          ///< largest n that double precision carries
-  Index fixed_n = 0;            ///< for a named instance its only n (then also smallest_n and largest_n), else 0
+  Index min_n = 3;
+  Index max_n = 0;          ///< largest n that double precision carries
+  Index fixed_n = 0;            ///< for a named instance its only n (then also min_n and max_n), else 0
   bool seeded = true;           ///< whether the seed changes the points
   bool repeats_points = false;  ///< whether some of the points may be equal
   std::vector<ParameterInfo> parameters;

@@ -44,7 +44,7 @@ std::vector<Point> corners_by_cgal(const std::vector<Point>& points) {
 TEST(HullAgreement, corners_are_those_of_cgal_on_every_family) {
   for (const GeneratorInfo& family : generators()) {
     for (const Index n : {3U, 4U, 5U, 10U, 12U, 13U, 100U, 1000U}) {
-      if (n < family.smallest_n || n > family.largest_n) continue;
+      if (n < family.min_n || n > family.max_n) continue;
       if (family.name == "hunted" && n == 13) continue;  // kept at some sizes only
       const std::vector<Point> points = make_point_set(generate(family.name, n, 1), family.name).points;
       EXPECT_EQ(corners(points), corners_by_cgal(points)) << family.name << " n=" << n;

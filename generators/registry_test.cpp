@@ -13,7 +13,7 @@
 namespace mwt {
 namespace {
 
-bool is_legal(const GeneratorInfo& family, Index n) { return n >= family.smallest_n && n <= family.largest_n; }
+bool is_legal(const GeneratorInfo& family, Index n) { return n >= family.min_n && n <= family.max_n; }
 
 std::vector<Index> legal_sizes(const GeneratorInfo& family) {
   if (family.fixed_n != 0) return {family.fixed_n};
@@ -32,11 +32,11 @@ TEST_P(EveryFamily, introduces_itself) {
     EXPECT_FALSE(text.empty());
     EXPECT_EQ(text.find('\n'), std::string::npos);
   }
-  EXPECT_GE(family_.smallest_n, 3U);
-  EXPECT_LE(family_.smallest_n, family_.largest_n);
+  EXPECT_GE(family_.min_n, 3U);
+  EXPECT_LE(family_.min_n, family_.max_n);
   if (family_.fixed_n != 0) {
-    EXPECT_EQ(family_.smallest_n, family_.fixed_n);
-    EXPECT_EQ(family_.largest_n, family_.fixed_n);
+    EXPECT_EQ(family_.min_n, family_.fixed_n);
+    EXPECT_EQ(family_.max_n, family_.fixed_n);
   }
   ASSERT_NE(family_.function, nullptr);
   EXPECT_NO_THROW(Parameters(family_.name, family_.parameters,
@@ -74,9 +74,9 @@ TEST_P(EveryFamily, depends_on_the_seed_exactly_if_it_says_so) {
 
 TEST_P(EveryFamily, refuses_other_sizes_and_names_the_nearest_legal_one) {
   const auto nearest = [](Index n) { return "nearest legal n is " + std::to_string(n); };
-  EXPECT_NE(refusal(family_.name, family_.smallest_n - 1).find(nearest(family_.smallest_n)), std::string::npos);
-  EXPECT_NE(refusal(family_.name, 0).find(nearest(family_.smallest_n)), std::string::npos);
-  EXPECT_NE(refusal(family_.name, family_.largest_n + 1).find(nearest(family_.largest_n)), std::string::npos);
+  EXPECT_NE(refusal(family_.name, family_.min_n - 1).find(nearest(family_.min_n)), std::string::npos);
+  EXPECT_NE(refusal(family_.name, 0).find(nearest(family_.min_n)), std::string::npos);
+  EXPECT_NE(refusal(family_.name, family_.max_n + 1).find(nearest(family_.max_n)), std::string::npos);
   EXPECT_EQ(refusal(family_.name, 1).find(family_.name + ": "), 0U);
 }
 

@@ -102,7 +102,7 @@ Triangulation constrained_delaunay_triangulation(Points points, std::span<const 
   return result;
 }
 
-double measure_yardstick_s(Points points) {
+double measure_delaunay_time_s(Points points) {
   constexpr double kReadable = 1e-3;  // the clock may tick in microseconds
   const std::vector<Kernel::Point_2> cgal_points = to_cgal(points);
   double total = 0;
@@ -112,7 +112,7 @@ double measure_yardstick_s(Points points) {
     const CGAL::Delaunay_triangulation_2<Kernel> triangulation(cgal_points.begin(), cgal_points.end());
     total += process_cpu_time_s() - start;
     ++repetitions;
-    if (triangulation.dimension() < 0) throw std::logic_error("the yardstick needs points");
+    if (triangulation.dimension() < 0) throw std::logic_error("the Delaunay time needs points");
   }
   return total / repetitions;
 }

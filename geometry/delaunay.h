@@ -15,9 +15,9 @@ namespace mwt {
 /// Preconditions: as above; no two constraints cross, none passes through a point, otherwise std::logic_error.
 [[nodiscard]] Triangulation constrained_delaunay_triangulation(Points points, std::span<const Edge> constraints);
 
-/// The yardstick: processor seconds that CGAL::Delaunay_triangulation_2<Epick>(first, last) takes on `points`, one
+/// The Delaunay time: processor seconds that CGAL::Delaunay_triangulation_2<Epick>(first, last) takes on `points`, one
 /// thread, no vertex info, destruction excluded. One measurement, on few points the mean over a millisecond's worth;
 /// callers take the median of seven interleaved ones.
-[[nodiscard]] double measure_yardstick_s(Points points);
+[[nodiscard]] double measure_delaunay_time_s(Points points);
 
 }  // namespace mwt

@@ -83,7 +83,7 @@ TEST(ConstrainedDelaunay, ConstraintsThroughPointsAreALogicError) {
   EXPECT_THROW(static_cast<void>(constrained_delaunay_triangulation(points, through)), std::logic_error);
 }
 
-TEST(Yardstick, TakesSomeTime) { EXPECT_GT(measure_yardstick_s(test::uniform_points(1000, 1)), 0); }
+TEST(DelaunayTime, TakesSomeTime) { EXPECT_GT(measure_delaunay_time_s(test::uniform_points(1000, 1)), 0); }
 
 }  // namespace
 }  // namespace mwt

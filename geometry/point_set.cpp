@@ -16,7 +16,7 @@ namespace mwt {
 
 namespace {
 
-constexpr double kLargestCoordinate = 1e300;
+constexpr double kMaxCoordinate = 1e300;
 
 void require_usable_coordinates(const std::vector<Point>& input, const std::string& source) {
   for (std::size_t i = 0; i < input.size(); ++i) {
@@ -24,7 +24,7 @@ void require_usable_coordinates(const std::vector<Point>& input, const std::stri
     if (!std::isfinite(input[i].x) || !std::isfinite(input[i].y)) {
       throw InputError(source + ": point " + std::to_string(i) + " has a coordinate that is not finite");
     }
-    if (size > kLargestCoordinate) {
+    if (size > kMaxCoordinate) {
       throw InputError(source + ": point " + std::to_string(i) +
                        " has a coordinate beyond 1e300, where sums of lengths overflow; scale the points down");
     }

@@ -14,7 +14,7 @@ namespace {
 
 using Cell = Quadtree::Cell;
 
-constexpr double kLargestCoordinate = 1e300;
+constexpr double kMaxCoordinate = 1e300;
 
 // A point travels with its index, so that splitting a cell reads memory in order.
 struct IndexedPoint {
@@ -28,7 +28,7 @@ void require_usable(Points points, int capacity) {
     throw InputError("quadtree: capacity " + std::to_string(capacity) + "; a leaf must hold at least 1 point");
   }
   for (const Point& p : points) {
-    const bool usable = std::abs(p.x) <= kLargestCoordinate && std::abs(p.y) <= kLargestCoordinate;
+    const bool usable = std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate;
     if (!usable) throw InputError("quadtree: a coordinate is not finite or beyond 1e300; scale the points down");
   }
 }

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Table: time over the yardstick by n, growth and gap, from a run of mwt_benchmark. Prints Markdown.
+"""Table: time over the Delaunay time by n, growth and gap, from a run of mwt_benchmark. Prints Markdown.
 
     build/release/mwt_benchmark --benchmark_filter='/uniform/' --benchmark_out=FILE.json
-    plots/benchmark_table.py FILE.json [--family uniform] [--smallest_n 1000]
+    plots/benchmark_table.py FILE.json [--family uniform] [--min_n 1000]
 
-One line per algorithm: over_yardstick at each n; the exponent fitted to the processor times (least squares of log time by
+One line per algorithm: over_delaunay at each n; the exponent fitted to the processor times (least squares of log time by
 log n); the gap, alpha_upper - 1, at the largest n with a certified alpha. `-` where a cell was skipped or not run.
 With --benchmark_repetitions the medians count. Needs nothing but Python.
 """
@@ -62,7 +62,7 @@ def print_table(cells, sizes):
     for algorithm, by_n in cells.items():
         kept = {n: row for n, row in by_n.items() if n in sizes}
         if kept:
-            ratios = [f"{kept[n]['over_yardstick']:.2f}" if n in kept else "-" for n in sizes]
+            ratios = [f"{kept[n]['over_delaunay']:.2f}" if n in kept else "-" for n in sizes]
             print(f"| `{algorithm}` | " + " | ".join(ratios) + f" | {exponent(kept)} | {gap(kept)} |")
 
 
@@ -70,10 +70,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file")
     parser.add_argument("--family", default="uniform")
-    parser.add_argument("--smallest_n", type=int, default=1000)
+    parser.add_argument("--min_n", type=int, default=1000)
     arguments = parser.parse_args()
     cells = read_cells(arguments.file, arguments.family)
-    sizes = sorted({n for by_n in cells.values() for n in by_n if n >= arguments.smallest_n})
+    sizes = sorted({n for by_n in cells.values() for n in by_n if n >= arguments.min_n})
     print_table(cells, sizes)
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Tests the dashboard as its readers use it: plots/dashboard_test.py MWT
 
-Tracks 40 synthetic nights, makes their dashboard and looks at it in a headless Chromium. Exit code 77 (skipped) without
+Tracks 40 synthetic nightly runs, makes their dashboard and looks at it in a headless Chromium. Exit code 77 (skipped) without
 Chromium.
 """
 import json
@@ -17,23 +17,23 @@ sys.path.insert(0, str(HERE))
 import chromium  # noqa: E402  (beside this file)
 from page_testing import PageTestCase, main, program, run  # noqa: E402
 
-NIGHTS, CHANGED = 40, 25
+NIGHTLY_RUNS, CHANGED = 40, 25
 COLUMNS = ("schema_version,study,env_id,recorded_at,git_commit,algorithm,params,generator,n,seed,repetition,threads,status,"
-           "wall_time_s,yardstick_time_s,peak_rss_bytes,weight_lower,weight_upper,optimality,alpha_lower,alpha_upper")
+           "wall_time_s,delaunay_time_s,peak_rss_bytes,weight_lower,weight_upper,optimality,alpha_lower,alpha_upper")
 OLD_SCHEMA = 1  # whose files are read by the names of their columns
 ALGORITHMS = ("delaunay", "flip", "greedy", "patch")
 
 
-def rows_of(night, noise):
-    """From the night CHANGED on greedy takes 10% longer, patch a fifth more memory, and flip is a thousandth heavier."""
-    late = night >= CHANGED
+def rows_of(nightly_run, noise):
+    """From the nightly run CHANGED on greedy takes 10% longer, patch a fifth more memory, and flip is a thousandth heavier."""
+    late = nightly_run >= CHANGED
     for algorithm in ALGORITHMS:
         for family in ("uniform", "clustered"):
             for n in (100, 1000):
-                time = 1e-5 * n * math.exp(noise.gauss(0, 0.03)) * (1.1 if late and algorithm == "greedy" else 1) * (1.6 if night == 13 else 1)
+                time = 1e-5 * n * math.exp(noise.gauss(0, 0.03)) * (1.1 if late and algorithm == "greedy" else 1) * (1.6 if nightly_run == 13 else 1)
                 memory = 10_000_000 + 4096 * noise.randrange(20) + (2_000_000 if late and algorithm == "patch" else 0)
                 alpha = 1.05 * (1.001 if late and algorithm == "flip" else 1)
-                yield (f"{OLD_SCHEMA},synthetic,e,2026-{1 + night // 28:02}-{1 + night % 28:02}T03:00:00Z,{night:02x}{'0' * 38},{algorithm},,{family},{n},1,0,1,ok,"
+                yield (f"{OLD_SCHEMA},synthetic,e,2026-{1 + nightly_run // 28:02}-{1 + nightly_run % 28:02}T03:00:00Z,{nightly_run:02x}{'0' * 38},{algorithm},,{family},{n},1,0,1,ok,"
                        f"{time},2e-6,{memory},{100 * alpha},{100 * alpha},proved,{alpha},{alpha}")
 
 
@@ -43,12 +43,12 @@ class DashboardTest(PageTestCase):
         cls.folder = tempfile.TemporaryDirectory(prefix="mwt_dashboard_")
         home = pathlib.Path(cls.folder.name)
         noise = random.Random(1)
-        nights = []
-        for night in range(NIGHTS):
-            nights.append(home / f"night{night}")
-            nights[-1].mkdir()
-            (nights[-1] / "runs.csv").write_text("\n".join([COLUMNS, *rows_of(night, noise)]) + "\n")
-        run(program(), "track", *nights, "--history", home / "history.sqlite")
+        nightly_runs = []
+        for nightly_run in range(NIGHTLY_RUNS):
+            nightly_runs.append(home / f"nightly_run{nightly_run}")
+            nightly_runs[-1].mkdir()
+            (nightly_runs[-1] / "runs.csv").write_text("\n".join([COLUMNS, *rows_of(nightly_run, noise)]) + "\n")
+        run(program(), "track", *nightly_runs, "--history", home / "history.sqlite")
         run(program(), "history", "series", "--json", "--history", home / "history.sqlite", "-o", home / "series.json")
         cls.home = home
         cls.page = home / "dashboard.html"
@@ -60,18 +60,18 @@ class DashboardTest(PageTestCase):
                    f" const select = label.querySelector('select'); select.value = {value!r}; select.dispatchEvent(new Event('change')); }})()")
 
     def test_words_come_first(self):
-        self.assertIn("3 regressions, 0 improvements in 40 nights", self.value("document.querySelector('.answer').innerText"))
+        self.assertIn("3 regressions, 0 improvements in 40 nightly runs", self.value("document.querySelector('.answer').innerText"))
         told = self.texts(".changes .told")
         self.assertEqual([text.split(":")[0] for text in told], ["2026-01-26 flip", "2026-01-26 greedy", "2026-01-26 patch"])
         self.assertRegex(told[1], r"time x1\.(0[89]|1[01])")
         self.assertEqual(self.texts(".changes .badge"), ["regression"] * 3)
 
     def banner(self, series, outcome, *options):
-        """The text and the colour of the banner of a night with this outcome."""
+        """The text and the colour of the banner of a nightly run with this outcome."""
         comparison = self.home / "verdict.json"
         comparison.write_text(json.dumps({"outcome": outcome, "verdict": "1 regression (time of flip x3.000) in 24 cells",
                                           "suspected": {"notes": ["load: base 0.10; new results 3.99"]}, "confirmed": None}))
-        page = self.home / "of_a_night.html"
+        page = self.home / "of_a_nightly_run.html"
         run(HERE / "make_dashboard.py", series, "-o", page, "--comparison", comparison, *options)
         answer = page.read_text(encoding="utf-8").split('<div class="answer"')[1].split("</div>")[0]
         return answer, re.search(r"var\(--(\w+)\)", answer)[1]
@@ -87,7 +87,7 @@ class DashboardTest(PageTestCase):
     def test_a_failing_night_is_not_green_though_nothing_stepped(self):
         text, colour = self.banner(self.stable_series(), "regression", "--state", "Not accepted.")
         self.assertEqual(colour, "bad")
-        for part in ("The last night: regression", "time of flip x3.000", "Not accepted.", "0 regressions", "Load: base 0.10; new results 3.99"):
+        for part in ("The last nightly run: regression", "time of flip x3.000", "Not accepted.", "0 regressions", "Load: base 0.10; new results 3.99"):
             self.assertIn(part, text)
 
     def test_only_a_night_without_anything_open_is_green(self):

@@ -95,7 +95,7 @@ class ForeignPageTest(PageTestCase):
 
     def test_the_gallery_shows_the_study_s_algorithms(self):
         text = self.figure_text("same_points", ".wide")
-        for label in ("delaunay", "patch k=14", "flip_report improvement=first start=sweep"):
+        for label in ("delaunay", "patch k=14", "flip_naive improvement=first start=sweep"):
             self.assertTrue(f"{label}:" in text, label)
         self.assertFalse("polygon_dp" in text, "it does not take these points")
         self.assertEqual(self.value("document.querySelectorAll('#gallery figure').length"), 1, "none of the report's")

@@ -35,13 +35,13 @@ done
 
 # Its worked examples: greedy, hull insertion, and the local search flip by flip.
 "$mwt" generate report_example -o report_example.csv
-solve report_example greedy_report greedy_report
+solve report_example greedy_naive greedy_naive
 solve report_example hull_insertion hull_insertion
 solve report_example exact exact
 "$mwt" generate local_search_figure -o local_search_figure.csv
 for flips in 0 1 2; do
-  solve local_search_figure "flips$flips" flip_report \
-    --param start="$studies/local_search_figure_start.csv" --param most_flips="$flips"
+  solve local_search_figure "flips$flips" flip_naive \
+    --param start="$studies/local_search_figure_start.csv" --param max_flips="$flips"
 done
 solve local_search_figure exact exact
 

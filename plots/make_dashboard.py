@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Makes the dashboard of the nights: plots/make_dashboard.py SERIES.json -o PAGE.html
+"""Makes the dashboard of the nightly runs: plots/make_dashboard.py SERIES.json -o PAGE.html
 
 Reads what `mwt history series --json` wrote: regressions and improvements in words, then a sparkline of every series with its
-steps marked. With --comparison, what `mwt compare --verdict` wrote of the last night stands above them, and with --state what
-followed from it. Writes one self-contained HTML file. Only the last night's environment and study are shown, or those given
+steps marked. With --comparison, what `mwt compare --verdict` wrote of the last nightly run stands above them, and with --state what
+followed from it. Writes one self-contained HTML file. Only the last nightly run's environment and study are shown, or those given
 with --environment and --study.
 """
 import argparse
@@ -23,11 +23,11 @@ class History:
     """One study on one machine, from the file's object."""
 
     def __init__(self, content, study, environment):
-        last = content["nights"][-1] if content["nights"] else {"study": "", "environment": "", "machine": ""}
+        last = content["nightly_runs"][-1] if content["nightly_runs"] else {"study": "", "environment": "", "machine": ""}
         self.study = study or last["study"]
         self.environment = environment or last["environment"]
-        self.nights = content["nights"]
-        self.own_nights = [night for night in self.nights if self.is_own(night)]
+        self.nightly_runs = content["nightly_runs"]
+        self.own_nightly_runs = [nightly_run for nightly_run in self.nightly_runs if self.is_own(nightly_run)]
         self.changes = [change for change in content["changes"] if self.is_own(change)]
         self.series = [series for series in content["series"] if self.is_own(series)]
 
@@ -52,10 +52,10 @@ def steps_by_series(history):
     steps = {}
     for change in history.changes:
         for step in change["steps"]:
-            told = {"night": step["night"], "before": step["before"], "after": step["after"], "worse": change["regression"]}
+            told = {"nightly_run": step["nightly_run"], "before": step["before"], "after": step["after"], "worse": change["regression"]}
             steps.setdefault(identity(change["algorithm"], step), []).append(told)
     for told in steps.values():
-        told.sort(key=lambda step: step["night"])
+        told.sort(key=lambda step: step["nightly_run"])
     return steps
 
 
@@ -65,13 +65,13 @@ def series_data(history):
     series = []
     for one in history.series:
         kept = {"algorithm": history.algorithms[one["algorithm"]], "instance": history.instances[one["instance"]]}
-        kept.update({key: one[key] for key in ("n", "measure", "aspect", "unit", "nights")})
+        kept.update({key: one[key] for key in ("n", "measure", "aspect", "unit", "nightly_runs")})
         kept["values"] = [float(f"{value:.{KEPT_DIGITS}g}") if one["aspect"] != "quality" else value for value in one["values"]]
         kept["steps"] = steps.get(identity(one["algorithm"], one), [])
         series.append(kept)
-    series.sort(key=lambda one: -one["steps"][-1]["night"] if one["steps"] else 1)
-    nights = [{"date": night["recorded_at"][:10], "commit": night["commit"]} for night in history.nights]
-    return json.dumps({"nights": nights, "series": series}, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/")
+    series.sort(key=lambda one: -one["steps"][-1]["nightly_run"] if one["steps"] else 1)
+    nightly_runs = [{"date": nightly_run["recorded_at"][:10], "commit": nightly_run["commit"]} for nightly_run in history.nightly_runs]
+    return json.dumps({"nightly_runs": nightly_runs, "series": series}, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/")
 
 
 def change_item(history, change):
@@ -84,8 +84,8 @@ def change_item(history, change):
 
 def changes_section(history):
     if not history.changes:
-        return f"<p>Nothing has changed for good in {len(history.own_nights)} nights.</p>"
-    latest_first = sorted(history.changes, key=lambda change: -change["night"])
+        return f"<p>Nothing has changed for good in {len(history.own_nightly_runs)} nightly runs.</p>"
+    latest_first = sorted(history.changes, key=lambda change: -change["nightly_run"])
     return '<ul class="changes">' + "\n".join(change_item(history, change) for change in latest_first) + "</ul>"
 
 
@@ -105,7 +105,7 @@ def counted(count, what):
 
 
 class LastNight:
-    """How the last night compares with the accepted one: the outcome of `mwt compare`, and what followed in words."""
+    """How the last nightly run compares with the accepted one: the outcome of `mwt compare`, and what followed in words."""
 
     def __init__(self, comparison, state):
         self.comparison = comparison
@@ -126,32 +126,32 @@ class LastNight:
 
     def text(self):
         if not self.comparison:
-            return f"<p><strong>The last night was not compared with another.</strong> {escape(self.state)}</p>"
+            return f"<p><strong>The last nightly run was not compared with another.</strong> {escape(self.state)}</p>"
         loads = "".join(f'<p class="soft">{escape(note[0].upper() + note[1:])}.</p>' for note in self.loads())
-        return (f'<p><strong>The last night: {escape(self.outcome)}.</strong> {escape(self.comparison["verdict"])}. '
+        return (f'<p><strong>The last nightly run: {escape(self.outcome)}.</strong> {escape(self.comparison["verdict"])}. '
                 f"{escape(self.state)}</p>{loads}")
 
 
-def lead(history, last_night):
-    if not history.own_nights:
-        return f"<p>There is no night yet. {escape(last_night.state)}</p>"
-    last = history.own_nights[-1]
+def lead(history, last_nightly_run):
+    if not history.own_nightly_runs:
+        return f"<p>There is no nightly run yet. {escape(last_nightly_run.state)}</p>"
+    last = history.own_nightly_runs[-1]
     worse = sum(change["regression"] for change in history.changes)
     better = len(history.changes) - worse
-    colour = "bad" if worse else last_night.colour()
-    return (f'<div class="answer" style="border-color: var(--{colour})">{last_night.text()}'
+    colour = "bad" if worse else last_nightly_run.colour()
+    return (f'<div class="answer" style="border-color: var(--{colour})">{last_nightly_run.text()}'
             f'<p><strong>Steps that stayed: {counted(worse, "regression")}, {counted(better, "improvement")}</strong> '
-            f'in {counted(len(history.own_nights), "night")}. The last one: {escape(last["recorded_at"])}, '
+            f'in {counted(len(history.own_nightly_runs), "nightly run")}. The last one: {escape(last["recorded_at"])}, '
             f'commit {escape(last["commit"][:10])}.</p></div>')
 
 
 def footer(history):
-    machine = history.own_nights[-1]["machine"] if history.own_nights else ""
-    return f"<p>Study “{escape(history.study)}” on {escape(machine)}. A spike of a night or two is no change; see harness/tracking/README.md.</p>"
+    machine = history.own_nightly_runs[-1]["machine"] if history.own_nightly_runs else ""
+    return f"<p>Study “{escape(history.study)}” on {escape(machine)}. A spike of a nightly run or two is no change; see harness/tracking/README.md.</p>"
 
 
-def make(history, last_night):
-    page = html_page.Page(TITLE, lead(history, last_night), footer(history))
+def make(history, last_nightly_run):
+    page = html_page.Page(TITLE, lead(history, last_nightly_run), footer(history))
     page.add_section("changes", "What changed", changes_section(history))
     page.add_section("series", "Every series", series_section(history))
     return page.text()
@@ -163,7 +163,7 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
     parser.add_argument("--study")
     parser.add_argument("--environment")
-    parser.add_argument("--comparison", type=pathlib.Path, help="of the last night, by mwt compare --verdict; it may be missing")
+    parser.add_argument("--comparison", type=pathlib.Path, help="of the last nightly run, by mwt compare --verdict; it may be missing")
     parser.add_argument("--state", help="what followed from the comparison, a sentence")
     arguments = parser.parse_args()
     history = History(json.loads(arguments.series.read_text(encoding="utf-8")), arguments.study, arguments.environment)

@@ -23,7 +23,7 @@ SUMMARY_TEXT = (
     " have 95% bootstrap intervals where there are at least five instances. First the usual families and the largest sizes;"
     " last what every algorithm solves optimally."
 )
-REPRODUCED = {"report": "./reproduce", "report_full": "./reproduce --full"}  # studies with a command of their own
+REPRODUCED = {"claims": "./reproduce", "claims_full": "./reproduce --full"}  # studies with a command of their own
 
 
 def title(results):

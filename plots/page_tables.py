@@ -37,8 +37,8 @@ def sorted_cells(results):
     worst = cells.groupby(["family", "n"])["alpha_max"].transform("max")
     cells["is_trivial"] = worst <= OPTIMAL
     cells["rank"] = cells["family"].map(rank_of(results.families))
-    cells["largest_first"] = -cells["n"]
-    keys = ["is_trivial", "rank", "largest_first", "alpha_mean", "wall_time_median_s"]
+    cells["max_first"] = -cells["n"]
+    keys = ["is_trivial", "rank", "max_first", "alpha_mean", "wall_time_median_s"]
     return cells.sort_values(keys, kind="stable", na_position="last")
 
 

@@ -121,15 +121,15 @@ class PageTest(PageTestCase):
             "(() => { const claim = document.getElementById('C1'); claim.open = true;"
             " claim.querySelector('a[data-set]').click(); })()"
         )
-        self.assertEqual(self.column(1), ["greedy_report"])
+        self.assertEqual(self.column(1), ["greedy_naive"])
         self.assertEqual(self.column(2), ["report_example"])
         self.value("document.querySelector('#runs tbody button').click()")
         command = self.value("document.querySelector('#runs tr.command').textContent")
         self.assertIn("mwt generate report_example --n 10 --seed", command)
-        self.assertIn("mwt solve points.csv --algorithm greedy_report", command)
+        self.assertIn("mwt solve points.csv --algorithm greedy_naive", command)
 
     def test_a_row_s_command_works(self):
-        self.choose("algorithm", "flip_report")
+        self.choose("algorithm", "flip_naive")
         self.choose("family", "uniform")
         self.value("document.querySelector('#runs tbody button').click()")
         command = self.value("document.querySelector('#runs tr.command').textContent").replace(
@@ -137,7 +137,7 @@ class PageTest(PageTestCase):
         )
         solved = subprocess.run(["/bin/sh", "-ec", command], cwd=self.folder.name, capture_output=True, text=True)
         self.assertEqual(solved.returncode, 0, solved.stderr)
-        self.assertIn("flip_report", solved.stdout)
+        self.assertIn("flip_naive", solved.stdout)
 
     def test_keyboard(self):
         self.value("document.querySelector('#C2 summary').focus()")

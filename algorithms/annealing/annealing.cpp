@@ -107,7 +107,7 @@ AlgorithmInfo annealing_entry() {
   info.guarantee = "none known; never worse than its start";
   info.time = "O(1) per proposal";
   info.space = "O(n)";
-  info.largest_n = 1'000'000;
+  info.max_n = 1'000'000;
   info.version = 2;
   info.parameters = {
       {"proposals", ParameterType::integer, "0", "flips proposed; 0: 300 per point"},

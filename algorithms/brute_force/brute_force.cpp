@@ -13,8 +13,8 @@ namespace mwt {
 
 namespace {
 
-constexpr std::size_t kMostEdges = kBruteForceLargestN * (kBruteForceLargestN - 1) / 2;
-using EdgeSet = std::bitset<kMostEdges>;
+constexpr std::size_t kMaxEdges = kBruteForceMaxN * (kBruteForceMaxN - 1) / 2;
+using EdgeSet = std::bitset<kMaxEdges>;
 
 // Numbers all edges and triangles of a few points once, so that the enumeration works on sets of numbers.
 class SmallGeometry {
@@ -168,13 +168,13 @@ class Enumeration {
 
 Solution solve(Points points, Context& context) {
   const std::int64_t limit = context.parameters.integer("max_points");
-  if (limit < 3 || limit > std::int64_t{kBruteForceLargestN}) {
+  if (limit < 3 || limit > std::int64_t{kBruteForceMaxN}) {
     throw InputError("brute_force: parameter max_points=" + std::to_string(limit) + " is not between 3 and " +
-                     std::to_string(kBruteForceLargestN));
+                     std::to_string(kBruteForceMaxN));
   }
   if (std::ssize(points) > limit) {
     throw NotApplicable("brute_force: " + std::to_string(points.size()) + " points; it takes at most " +
-                        std::to_string(limit) + " (parameter max_points, up to " + std::to_string(kBruteForceLargestN) +
+                        std::to_string(limit) + " (parameter max_points, up to " + std::to_string(kBruteForceMaxN) +
                         ")");
   }
   BruteForceResult result = enumerate_triangulations(points, context);
@@ -206,7 +206,7 @@ AlgorithmInfo brute_force_entry() {
   info.time = "O(n) per triangulation, exponentially many";
   info.space = "O(n^3)";
   info.exactness = Exactness::exact;
-  info.largest_n = 13;
+  info.max_n = 13;
   info.version = 2;
   info.parameters = {{"max_points", ParameterType::integer, "14", "largest number of points it takes, 3 to 16"}};
   info.function = solve_at_any_size;

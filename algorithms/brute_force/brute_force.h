@@ -8,7 +8,7 @@
 namespace mwt {
 
 /// Sets of edges are 128 bits wide, which is enough for 16 points.
-inline constexpr Index kBruteForceLargestN = 16;
+inline constexpr Index kBruteForceMaxN = 16;
 
 struct BruteForceResult {
   Triangulation lightest;
@@ -24,7 +24,7 @@ struct BruteForceResult {
 /// there. A triangulation has exactly one triangle at that place, so no two branches lead to the same one; and every
 /// region left over can be triangulated, so no branch is in vain.
 ///
-/// Preconditions: 3 to kBruteForceLargestN distinct points, not all collinear.
+/// Preconditions: 3 to kBruteForceMaxN distinct points, not all collinear.
 /// Ties: the first lightest triangulation found. Exact decisions; weights in double-double.
 /// Time: O(n) per triangulation, of which there are exponentially many. Space O(n^3). Deterministic.
 /// Past the deadline it stops after the triangulation at hand: `lightest` is the lightest so far, optimum.lower means

@@ -6,16 +6,16 @@
 namespace mwt {
 
 /// Mark of an edge known to be in every minimum weight triangulation.
-inline constexpr std::uint32_t kWallMark = 1U << 16;
-static_assert((kWallMark & kLastingMarks) != 0);
+inline constexpr std::uint32_t kBetaSkeletonMark = 1U << 16;
+static_assert((kBetaSkeletonMark & kLastingMarks) != 0);
 
 /// Marks the edges of the beta-skeleton for beta = 1.17682: S.-W. Cheng, Y.-F. Xu, "On beta-skeleton as a subgraph of
 /// the minimum weight triangulation", Theoretical Computer Science 262 (2001). In the Delaunay triangulation they are
 /// the edges whose opposite angles are both at most arcsin(1/beta), about 58.19 degrees. Rounded towards no mark.
 /// Precondition: the mesh is a Delaunay triangulation. O(n).
-void mark_walls(PlanarMesh& delaunay);
+void mark_beta_skeleton(PlanarMesh& delaunay);
 
-/// Marks those edges of `mesh`, any triangulation of the same points, that are walls in `delaunay`. O(n log n).
-void copy_walls(const PlanarMesh& delaunay, PlanarMesh& mesh);
+/// Marks those edges of `mesh`, any triangulation of the same points, that are beta-skeleton edges in `delaunay`. O(n log n).
+void copy_beta_skeleton(const PlanarMesh& delaunay, PlanarMesh& mesh);
 
 }  // namespace mwt

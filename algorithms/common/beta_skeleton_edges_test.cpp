@@ -14,13 +14,13 @@
 namespace mwt {
 namespace {
 
-std::vector<Edge> walls_of(const PlanarMesh& mesh) {
-  std::vector<Edge> walls;
+std::vector<Edge> beta_skeleton_of(const PlanarMesh& mesh) {
+  std::vector<Edge> beta_skeleton;
   for (MeshEdge e = 0; e < mesh.edge_count(); ++e) {
-    if ((mesh.marks(e) & kWallMark) != 0) walls.push_back(mesh.labelled_edge(e));
+    if ((mesh.marks(e) & kBetaSkeletonMark) != 0) beta_skeleton.push_back(mesh.labelled_edge(e));
   }
-  std::sort(walls.begin(), walls.end());
-  return walls;
+  std::sort(beta_skeleton.begin(), beta_skeleton.end());
+  return beta_skeleton;
 }
 
 // Whatever the algorithms on the way note on edges.
@@ -29,15 +29,15 @@ TEST(Walls, AreTheSameInEveryStart) {
     SCOPED_TRACE(shape.name);
     const std::vector<Point> points = test::make_shape(shape, 2000, 1);
     PlanarMesh delaunay(points, delaunay_triangulation(points));
-    mark_walls(delaunay);
+    mark_beta_skeleton(delaunay);
     for (const char* start : {"delaunay", "greedy", "quadtree"}) {
       const Context context = test::context_for(patch_entry(), {{"start", start}});
-      const PlanarMesh mesh = start_mesh_with_walls(points, context);
-      const std::vector<Edge> walls = walls_of(mesh);
-      const std::vector<Edge> all = walls_of(delaunay);
-      EXPECT_TRUE(std::includes(all.begin(), all.end(), walls.begin(), walls.end())) << start;
+      const PlanarMesh mesh = start_mesh_with_beta_skeleton(points, context);
+      const std::vector<Edge> beta_skeleton = beta_skeleton_of(mesh);
+      const std::vector<Edge> all = beta_skeleton_of(delaunay);
+      EXPECT_TRUE(std::includes(all.begin(), all.end(), beta_skeleton.begin(), beta_skeleton.end())) << start;
       if (start != std::string("quadtree")) {
-        EXPECT_EQ(walls.size(), all.size()) << start;
+        EXPECT_EQ(beta_skeleton.size(), all.size()) << start;
       }
     }
   }

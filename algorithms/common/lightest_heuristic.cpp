@@ -84,8 +84,8 @@ Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n) {
 
 Deadline deadline_of_heuristics(const Deadline& deadline) {
   if (!deadline) return {};
-  constexpr double kLeast = 0.2;
-  return std::max(*deadline, Clock::now() + duration_of(kLeast));
+  constexpr double kMin = 0.2;
+  return std::max(*deadline, Clock::now() + duration_of(kMin));
 }
 
 }  // namespace mwt

@@ -66,16 +66,16 @@ PlanarMesh start_mesh(Points points, const Context& context) {
   return mesh;
 }
 
-PlanarMesh start_mesh_with_walls(Points points, const Context& context) {
+PlanarMesh start_mesh_with_beta_skeleton(Points points, const Context& context) {
   const std::string& name = context.parameters.text("start");
   PlanarMesh delaunay = PlanarMesh::delaunay(points);
-  mark_walls(delaunay);
+  mark_beta_skeleton(delaunay);
   if (comes_from_delaunay(name)) {
     change_delaunay(delaunay, context, name);
     return delaunay;
   }
   PlanarMesh mesh(points, other_start(points, context, name));
-  copy_walls(delaunay, mesh);
+  copy_beta_skeleton(delaunay, mesh);
   return mesh;
 }
 

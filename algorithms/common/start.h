@@ -20,8 +20,8 @@ namespace mwt {
 /// Time as that algorithm takes.
 [[nodiscard]] PlanarMesh start_mesh(Points points, const Context& context);
 
-/// The same, with kWallMark (walls.h) on its edges that are walls.
-[[nodiscard]] PlanarMesh start_mesh_with_walls(Points points, const Context& context);
+/// The same, with kBetaSkeletonMark (beta-skeleton edges.h) on its edges that are beta-skeleton edges.
+[[nodiscard]] PlanarMesh start_mesh_with_beta_skeleton(Points points, const Context& context);
 
 /// Flips `count` random edges of the mesh where they can be flipped. Deterministic for a seed.
 void flip_at_random(PlanarMesh& mesh, std::uint64_t seed, std::size_t count);

@@ -58,12 +58,12 @@ void expect_agreement(const std::vector<Answer>& answers) {
   }
 }
 
-// Solves sets of 4 to `largest_n` points of all kinds; says how many `exact` left open.
-void compare_solvers(std::uint64_t first_seed, std::uint64_t sets, std::size_t largest_n) {
+// Solves sets of 4 to `max_n` points of all kinds; says how many `exact` left open.
+void compare_solvers(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
   std::uint64_t open = 0;
   for (std::uint64_t i = 0; i < sets; ++i) {
     const auto kind = static_cast<ExtremePoints::Kind>(i % ExtremePoints::kKinds);
-    const std::size_t n = 4 + i / ExtremePoints::kKinds % (largest_n - 3);
+    const std::size_t n = 4 + i / ExtremePoints::kKinds % (max_n - 3);
     const std::vector<Point> points = ExtremePoints(first_seed + i).draw(kind, n);
     if (points.empty()) continue;
     SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << first_seed + i << ", n " << n);
@@ -86,11 +86,11 @@ TEST(ExtremePointsSlow, ExactSolversAgreeOnAMillionSets) { compare_solvers(1'000
 TEST(ExtremePointsSlow, ExactSolversAgreeOnLargerSets) { compare_solvers(3'000'000, 100'000, 12); }
 
 // Where the k-d tree has several leaves. The triangle program may not come to an end: its bounds count.
-void compare_with_the_triangle_program(std::uint64_t first_seed, std::uint64_t sets, std::size_t least_n,
-                                       std::size_t largest_n) {
+void compare_with_the_triangle_program(std::uint64_t first_seed, std::uint64_t sets, std::size_t min_n,
+                                       std::size_t max_n) {
   for (std::uint64_t i = 0; i < sets; ++i) {
     const auto kind = static_cast<ExtremePoints::Kind>(i % ExtremePoints::kKinds);
-    const std::size_t n = least_n + i / ExtremePoints::kKinds % (largest_n + 1 - least_n);
+    const std::size_t n = min_n + i / ExtremePoints::kKinds % (max_n + 1 - min_n);
     const std::vector<Point> points = ExtremePoints(first_seed + i).draw(kind, n);
     if (points.empty()) continue;
     SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << first_seed + i << ", n " << n);
@@ -122,11 +122,11 @@ std::vector<Point> flat_lattice(std::size_t n, int octaves, std::mt19937_64& ran
   return points;
 }
 
-void compare_on_flat_lattices(std::uint64_t first_seed, std::uint64_t sets, int least_octaves, int most_octaves) {
+void compare_on_flat_lattices(std::uint64_t first_seed, std::uint64_t sets, int min_octaves, int max_octaves) {
   for (std::uint64_t seed = first_seed; seed < first_seed + sets; ++seed) {
     std::mt19937_64 random(seed);
-    const auto octaves = static_cast<std::uint64_t>(most_octaves - least_octaves + 1);
-    const int height = least_octaves + static_cast<int>(random() % octaves);
+    const auto octaves = static_cast<std::uint64_t>(max_octaves - min_octaves + 1);
+    const int height = min_octaves + static_cast<int>(random() % octaves);
     const std::vector<Point> points = flat_lattice(4 + random() % 8, height, random);
     if (points.size() < 3 || all_collinear(points)) continue;
     SCOPED_TRACE(testing::Message() << "seed " << seed << ", octaves " << height);
@@ -192,28 +192,28 @@ std::vector<Edge> greedy_edges(Points points, std::size_t large_face) {
   return edges_of(mesh.triangulation());
 }
 
-void compare_greedy(std::uint64_t first_seed, std::uint64_t sets, std::size_t largest_n) {
+void compare_greedy(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
   for (std::uint64_t i = 0; i < sets; ++i) {
     const auto kind = static_cast<ExtremePoints::Kind>(i % ExtremePoints::kKinds);
-    const std::size_t n = 4 + (i / ExtremePoints::kKinds * 7) % (largest_n - 3);
+    const std::size_t n = 4 + (i / ExtremePoints::kKinds * 7) % (max_n - 3);
     const std::vector<Point> points = ExtremePoints(first_seed + i).draw(kind, n);
     if (points.empty()) continue;
     SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << first_seed + i << ", n " << n);
-    const std::vector<Edge> expected = edges_of(solve_and_check("greedy_report", points).triangulation);
+    const std::vector<Edge> expected = edges_of(solve_and_check("greedy_naive", points).triangulation);
     ASSERT_EQ(edges_of(solve_and_check("greedy", points).triangulation), expected);
     ASSERT_EQ(greedy_edges(points, 0), expected) << "faces reduced before the queue";
   }
 }
 
-TEST(ExtremePoints, GreedyEqualsGreedyReport) { compare_greedy(7'000'000, 1600, 20); }
+TEST(ExtremePoints, GreedyEqualsGreedyNaive) { compare_greedy(7'000'000, 1600, 20); }
 
-TEST(ExtremePointsSlow, GreedyEqualsGreedyReport) { compare_greedy(8'000'000, 60'000, 40); }
+TEST(ExtremePointsSlow, GreedyEqualsGreedyNaive) { compare_greedy(8'000'000, 60'000, 40); }
 
 // Among others: greedy and patch crashed, flip returned flat triangles, quadtree ran forever.
-void check_all_algorithms(std::uint64_t first_seed, std::uint64_t sets, std::size_t largest_n) {
+void check_all_algorithms(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
   for (std::uint64_t i = 0; i < sets; ++i) {
     const auto kind = static_cast<ExtremePoints::Kind>(i % ExtremePoints::kKinds);
-    const std::size_t n = 4 + (i / ExtremePoints::kKinds * 7) % (largest_n - 3);
+    const std::size_t n = 4 + (i / ExtremePoints::kKinds * 7) % (max_n - 3);
     const std::vector<Point> points = ExtremePoints(first_seed + i).draw(kind, n);
     if (points.empty()) continue;
     SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << first_seed + i << ", n " << n);

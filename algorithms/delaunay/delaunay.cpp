@@ -22,7 +22,7 @@ AlgorithmInfo delaunay_entry() {
   info.guarantee = "Theta(n) in the worst case (Kirkpatrick 1980)";
   info.time = "O(n log n) expected";
   info.space = "O(n)";
-  info.largest_n = 10'000'000;
+  info.max_n = 10'000'000;
   info.function = solve;
   return info;
 }

@@ -129,7 +129,7 @@ class ExactSolver {
 
   void count(const FaceSolution& faces) {
     counters_["faces"] = static_cast<double>(faces.faces);
-    counters_["largest_face"] = static_cast<double>(faces.largest_face);
+    counters_["max_face"] = static_cast<double>(faces.max_face);
     counters_["dp_cells"] = static_cast<double>(faces.dp_cells);
     counters_["precise_comparisons"] = static_cast<double>(faces.precise_comparisons);
     counters_["undecided_ties"] = static_cast<double>(faces.undecided_ties);
@@ -199,7 +199,7 @@ AlgorithmInfo exact_entry() {
   info.time = "about O(n log n) on random input; exponential in the worst case (NP-hard)";
   info.space = "about 400 bytes per point";
   info.exactness = Exactness::exact;
-  info.largest_n = 10'000'000;
+  info.max_n = 10'000'000;
   info.version = 2;
   info.function = exact;
   return info;

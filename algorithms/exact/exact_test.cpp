@@ -225,7 +225,7 @@ std::vector<NamedInstance> middle_sized_instances() {
 // It used to return greedy's triangulation there and to speak of a time limit that nobody had set.
 TEST(Exact, ReturnsTheBestOfTheHeuristicsWhereASizeStopsIt) {
   std::vector<Point> points;
-  for (std::size_t i = 0; i <= kLargestConvexPolygon; ++i) {
+  for (std::size_t i = 0; i <= kMaxConvexPolygon; ++i) {
     const auto x = static_cast<double>(i);
     points.push_back({x, x * x});
   }

@@ -72,7 +72,7 @@ AlgorithmInfo flip_entry() {
   info.guarantee = "none known; local optimum under flips, certified by exact comparison; never worse than its start";
   info.time = "O(n) plus O(1) per flip (stack) or O(log n) per flip (best)";
   info.space = "O(n) (stack) or O(n + flips) (best)";
-  info.largest_n = 10'000'000;
+  info.max_n = 10'000'000;
   info.version = 2;
   info.parameters = {
       {"order", ParameterType::choice, "stack", "which improving flip comes next", {"stack", "best"}},

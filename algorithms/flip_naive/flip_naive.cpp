@@ -24,12 +24,12 @@ constexpr std::size_t kDeadlineInterval = 256;
 class Search {
  public:
   Search(Points points, const Triangulation& start, const std::optional<Context::Clock::time_point>& deadline,
-         std::size_t most_flips)
-      : points_(points), triangulation_(start), deadline_(deadline), most_flips_(most_flips) {}
+         std::size_t max_flips)
+      : points_(points), triangulation_(start), deadline_(deadline), max_flips_(max_flips) {}
 
   void improve_in_passes() {
     bool flipped = true;
-    while (flipped && !stopped_early_ && flips_.size() < most_flips_) {
+    while (flipped && !stopped_early_ && flips_.size() < max_flips_) {
       flipped = pass();
       ++passes_;
     }
@@ -37,7 +37,7 @@ class Search {
 
   void improve_best_first() {
     for (Index e = 0; e < triangulation_.edge_count(); ++e) propose(e);
-    while (!proposals_.empty() && flips_.size() < most_flips_ && !deadline_passed(flips_.size())) {
+    while (!proposals_.empty() && flips_.size() < max_flips_ && !deadline_passed(flips_.size())) {
       const Proposal proposal = proposals_.top();
       proposals_.pop();
       const Index e = proposal.number;
@@ -96,7 +96,7 @@ class Search {
     std::sort(order.begin(), order.end());
     const std::size_t flips_before = flips_.size();
     for (std::size_t i = 0; i < order.size() && !deadline_passed(i); ++i) {
-      if (flips_.size() == most_flips_) break;
+      if (flips_.size() == max_flips_) break;
       if (improves(order[i].second)) flip(order[i].second);
     }
     return flips_.size() != flips_before;
@@ -121,7 +121,7 @@ class Search {
   Points points_;
   FlipTriangulation triangulation_;
   std::optional<Context::Clock::time_point> deadline_;
-  std::size_t most_flips_;
+  std::size_t max_flips_;
   std::priority_queue<Proposal> proposals_;
   std::vector<Flip> flips_;
   Index passes_ = 0;
@@ -134,10 +134,10 @@ Triangulation start_of(Points points, const Context& context) {
   if (start == "delaunay") return delaunay_triangulation(points);
   if (start == "sweep") return sweep_triangulation(points);
   if (start != "greedy") {
-    throw InputError("flip_report: parameter start=" + start +
+    throw InputError("flip_naive: parameter start=" + start +
                      " is neither delaunay, sweep or greedy nor a file of triangles");
   }
-  return greedy_report(points);
+  return greedy_naive(points);
 }
 
 Triangulation timed_start_of(Points points, Context& context) {
@@ -145,9 +145,9 @@ Triangulation timed_start_of(Points points, Context& context) {
   return start_of(points, context);
 }
 
-std::size_t most_flips(const Parameters& parameters) {
-  const std::int64_t given = parameters.integer("most_flips");
-  if (given < -1) throw InputError("flip_report: parameter most_flips must be -1 (any number) or more");
+std::size_t max_flips(const Parameters& parameters) {
+  const std::int64_t given = parameters.integer("max_flips");
+  if (given < -1) throw InputError("flip_naive: parameter max_flips must be -1 (any number) or more");
   return given < 0 ? kAnyNumberOfFlips : static_cast<std::size_t>(given);
 }
 
@@ -156,7 +156,7 @@ Solution solve(Points points, Context& context) {
   const ScopedPhase phase(context, "flips");
   const bool first = context.parameters.text("improvement") == "first";
   FlipSearch result = flip_search(points, start, first ? FlipImprovement::first : FlipImprovement::best,
-                                  context.deadline, most_flips(context.parameters));
+                                  context.deadline, max_flips(context.parameters));
   Solution solution;
   solution.triangulation = std::move(result.triangulation);
   solution.counters["flips"] = static_cast<double>(result.flips.size());
@@ -169,8 +169,8 @@ Solution solve(Points points, Context& context) {
 }  // namespace
 
 FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovement improvement,
-                       const std::optional<Context::Clock::time_point>& deadline, std::size_t most_flips) {
-  Search search(points, start, deadline, most_flips);
+                       const std::optional<Context::Clock::time_point>& deadline, std::size_t max_flips) {
+  Search search(points, start, deadline, max_flips);
   if (improvement == FlipImprovement::first) {
     search.improve_in_passes();
   } else {
@@ -179,26 +179,26 @@ FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovemen
   return search.take();
 }
 
-AlgorithmInfo flip_report_entry() {
+AlgorithmInfo flip_naive_entry() {
   AlgorithmInfo info;
-  info.name = "flip_report";
+  info.name = "flip_naive";
   info.summary = "local search by flips, as the report writes it";
   info.source = "source report, section 5.3";
   info.guarantee = "none: linear in n in the worst case; the report claims at most 1.2 with probability 1/2";
   info.time = "O(n log n) per pass";
   info.space = "O(n + flips)";
-  info.largest_n = 1'000'000;
+  info.max_n = 1'000'000;
   info.parameters = {{"start",
                       ParameterType::text,
                       "delaunay",
-                      "initial triangulation: delaunay, sweep, greedy (of greedy_report), or a file of triangles",
+                      "initial triangulation: delaunay, sweep, greedy (of greedy_naive), or a file of triangles",
                       {"delaunay", "sweep", "greedy"}},
                      {"improvement",
                       ParameterType::choice,
                       "first",
                       "which improving flip to make: the first met in passes over all edges, or the best of all",
                       {"first", "best"}},
-                     {"most_flips", ParameterType::integer, "-1", "stop after so many flips; -1: at a local optimum"}};
+                     {"max_flips", ParameterType::integer, "-1", "stop after so many flips; -1: at a local optimum"}};
   info.function = solve;
   return info;
 }

@@ -32,13 +32,13 @@ struct FlipSearch {
 ///
 /// Ends at a local optimum: no flip shortens it; since each flip shortens the total strictly, it does end. Nothing is
 /// known about its distance to the optimum beyond Theta(n) in bad cases (families flip_corridor, delaunay_flip_stuck).
-/// It stops after `most_flips` flips, or at the deadline, saying for the latter that it did.
+/// It stops after `max_flips` flips, or at the deadline, saying for the latter that it did.
 /// O(n log n) per pass (first), O((n + flips) log n) (best), O(n + flips) space. Deterministic.
 [[nodiscard]] FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovement improvement,
                                      const std::optional<Context::Clock::time_point>& deadline,
-                                     std::size_t most_flips = kAnyNumberOfFlips);
+                                     std::size_t max_flips = kAnyNumberOfFlips);
 
 /// Registry entry: start = delaunay | sweep | greedy (the report's), or a triangulation given in context.start.
-[[nodiscard]] AlgorithmInfo flip_report_entry();
+[[nodiscard]] AlgorithmInfo flip_naive_entry();
 
 }  // namespace mwt

@@ -35,14 +35,14 @@ Triangulation counter_clockwise(Points points, Triangulation triangulation) {
 }
 
 // Claim C9.
-TEST(FlipReport, ReproducesTheReportsFigures) {
+TEST(FlipNaive, ReproducesTheReportsFigures) {
   const Triangulation start = counter_clockwise(kFigurePoints, kFigureStart);
   ASSERT_FALSE(find_violation(kFigurePoints, start).has_value());
   for (const char* improvement : {"first", "best"}) {
     SCOPED_TRACE(improvement);
-    Context context = test::context_for(flip_report_entry(), {{"start", "figure.csv"}, {"improvement", improvement}});
+    Context context = test::context_for(flip_naive_entry(), {{"start", "figure.csv"}, {"improvement", improvement}});
     context.start = start;
-    const Solution solution = flip_report_entry().function(kFigurePoints, context);
+    const Solution solution = flip_naive_entry().function(kFigurePoints, context);
     ASSERT_EQ(solution.flips.size(), 2U);
     EXPECT_EQ(solution.flips[0].removed, (Edge{0, 8}));
     EXPECT_EQ(solution.flips[0].added, (Edge{2, 5}));
@@ -57,39 +57,39 @@ TEST(FlipReport, ReproducesTheReportsFigures) {
   }
 }
 
-TEST(FlipReport, StopsAfterTheWantedNumberOfFlips) {
+TEST(FlipNaive, StopsAfterTheWantedNumberOfFlips) {
   const Triangulation start = counter_clockwise(kFigurePoints, kFigureStart);
   for (const std::string improvement : {"first", "best"}) {
     for (const std::size_t most : {0U, 1U, 2U, 3U}) {
       Context context =
-          test::context_for(flip_report_entry(), {{"improvement", improvement}, {"most_flips", std::to_string(most)}});
+          test::context_for(flip_naive_entry(), {{"improvement", improvement}, {"max_flips", std::to_string(most)}});
       context.start = start;
-      const Solution solution = flip_report_entry().function(kFigurePoints, context);
+      const Solution solution = flip_naive_entry().function(kFigurePoints, context);
       EXPECT_EQ(solution.flips.size(), std::min<std::size_t>(most, 2));
       EXPECT_FALSE(find_violation(kFigurePoints, solution.triangulation).has_value());
       if (most > 0) continue;
       EXPECT_EQ(canonical_triangles(solution.triangulation), canonical_triangles(start));
     }
   }
-  Context context = test::context_for(flip_report_entry(), {{"most_flips", "-2"}});
-  EXPECT_THROW(flip_report_entry().function(kFigurePoints, context), InputError);
+  Context context = test::context_for(flip_naive_entry(), {{"max_flips", "-2"}});
+  EXPECT_THROW(flip_naive_entry().function(kFigurePoints, context), InputError);
 }
 
-TEST(FlipReport, IsValidOnAllShapesFromAllStarts) {
+TEST(FlipNaive, IsValidOnAllShapesFromAllStarts) {
   for (const char* improvement : {"first", "best"}) {
-    test::expect_valid_on_all_shapes(flip_report_entry(), 1000, {{"improvement", improvement}});
-    test::expect_valid_on_all_shapes(flip_report_entry(), 100, {{"start", "sweep"}, {"improvement", improvement}});
-    test::expect_valid_on_all_shapes(flip_report_entry(), 10, {{"start", "greedy"}, {"improvement", improvement}});
+    test::expect_valid_on_all_shapes(flip_naive_entry(), 1000, {{"improvement", improvement}});
+    test::expect_valid_on_all_shapes(flip_naive_entry(), 100, {{"start", "sweep"}, {"improvement", improvement}});
+    test::expect_valid_on_all_shapes(flip_naive_entry(), 10, {{"start", "greedy"}, {"improvement", improvement}});
   }
 }
 
-TEST(FlipReport, EndsAtALocalOptimumAndEveryFlipGains) {
+TEST(FlipNaive, EndsAtALocalOptimumAndEveryFlipGains) {
   for (const test::Instance& instance : test::instances(100)) {
     for (const char* improvement : {"first", "best"}) {
       SCOPED_TRACE(instance.name + " " + improvement);
       const Points points = instance.points;
       const Solution solution =
-          test::solve_checked(flip_report_entry(), points, {{"start", "sweep"}, {"improvement", improvement}});
+          test::solve_checked(flip_naive_entry(), points, {{"start", "sweep"}, {"improvement", improvement}});
       for (const Flip& flip : solution.flips) {
         EXPECT_GT(flip.gain, 0);
         EXPECT_LT(
@@ -106,10 +106,10 @@ TEST(FlipReport, EndsAtALocalOptimumAndEveryFlipGains) {
   }
 }
 
-TEST(FlipReport, BestTakesTheLargestGainFirst) {
+TEST(FlipNaive, BestTakesTheLargestGainFirst) {
   const std::vector<Point> points = test::uniform_points(60, 4);
   const Solution solution =
-      test::solve_checked(flip_report_entry(), points, {{"start", "sweep"}, {"improvement", "best"}});
+      test::solve_checked(flip_naive_entry(), points, {{"start", "sweep"}, {"improvement", "best"}});
   const FlipTriangulation start(test::solve_checked(sweep_entry(), points).triangulation);
   double largest = 0;
   for (Index e = 0; e < start.edge_count(); ++e) {
@@ -121,9 +121,9 @@ TEST(FlipReport, BestTakesTheLargestGainFirst) {
   EXPECT_EQ(solution.flips.front().gain, largest);
 }
 
-TEST(FlipReport, FirstVisitsEdgesByTheirIndices) {
+TEST(FlipNaive, FirstVisitsEdgesByTheirIndices) {
   const std::vector<Point> points = test::uniform_points(60, 4);
-  const Solution solution = test::solve_checked(flip_report_entry(), points, {{"start", "sweep"}});
+  const Solution solution = test::solve_checked(flip_naive_entry(), points, {{"start", "sweep"}});
   const FlipTriangulation start(test::solve_checked(sweep_entry(), points).triangulation);
   Edge smallest{kNoIndex, kNoIndex};
   for (Index e = 0; e < start.edge_count(); ++e) {
@@ -135,21 +135,21 @@ TEST(FlipReport, FirstVisitsEdgesByTheirIndices) {
   EXPECT_EQ(solution.flips.front().removed, smallest);
 }
 
-TEST(FlipReport, StopsAtTheDeadlineWithAValidTriangulation) {
+TEST(FlipNaive, StopsAtTheDeadlineWithAValidTriangulation) {
   const std::vector<Point> points = test::uniform_points(500, 8);
   for (const char* improvement : {"first", "best"}) {
-    Context context = test::context_for(flip_report_entry(), {{"start", "sweep"}, {"improvement", improvement}});
+    Context context = test::context_for(flip_naive_entry(), {{"start", "sweep"}, {"improvement", improvement}});
     context.deadline = Context::Clock::now();
-    const Solution solution = flip_report_entry().function(points, context);
+    const Solution solution = flip_naive_entry().function(points, context);
     EXPECT_EQ(solution.stop_reason, StopReason::deadline);
     EXPECT_FALSE(find_violation(points, solution.triangulation).has_value());
   }
 }
 
-TEST(FlipReport, UnknownStartsAreRefused) {
+TEST(FlipNaive, UnknownStartsAreRefused) {
   const std::vector<Point> points = test::report_example();
-  Context context = test::context_for(flip_report_entry(), {{"start", "nowhere"}});
-  EXPECT_THROW(flip_report_entry().function(points, context), InputError);
+  Context context = test::context_for(flip_naive_entry(), {{"start", "nowhere"}});
+  EXPECT_THROW(flip_naive_entry().function(points, context), InputError);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ AlgorithmInfo greedy_entry() {
       "the minimum weight triangulation, J. Algorithms 27 (1998)";
   info.time = "O(n log n) in practice; about one and a half of CGAL's Delaunay triangulations on uniform points";
   info.space = "O(n), less than 200 bytes per point";
-  info.largest_n = 10'000'000;
+  info.max_n = 10'000'000;
   info.version = 2;
   info.function = run_greedy;
   return info;

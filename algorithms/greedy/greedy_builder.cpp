@@ -31,7 +31,7 @@ void GreedyBuilder::fix_certain_edges() {
     } else {
       ++others;
     }
-    least_squared_length_ = std::min(least_squared_length_, mesh_.record(e).squared_length);
+    min_squared_length_ = std::min(min_squared_length_, mesh_.record(e).squared_length);
   }
   faces_.reserve(others);
 }
@@ -81,7 +81,7 @@ void GreedyBuilder::empty_queue() {
 void GreedyBuilder::decide_order() {
   const EdgeSorter::Run run = sorted_.next_run();
   constexpr double kMargin = 1e-5;  // for the rounding of floats
-  const double least = static_cast<double>(least_squared_length_) * (1 - kMargin);
+  const double least = static_cast<double>(min_squared_length_) * (1 - kMargin);
   const bool later_ears_are_longer = run.most - run.least < least && is_trusted_float(least);
   const bool ears_are_longer = heap_.empty() || heap_.top().key().squared_length.high > run.most;
   sorted_.decide(run, later_ears_are_longer && ears_are_longer);
@@ -224,7 +224,7 @@ bool GreedyBuilder::is_unblocked_ear(const Wedge& wedge) {
   // Shorter beyond the rounding of floats; nothing counts as shorter than what is too short for them.
   const double surely_shorter = (dx * dx + dy * dy) * (1 - 1e-6);
   for (Halfedge spoke = mesh_.rotate_left(wedge.first); spoke != wedge.last; spoke = mesh_.rotate_left(spoke)) {
-    if (mesh_.record(edge_of(spoke)).squared_length < surely_shorter && surely_shorter > kSmallestTrustedFloat) {
+    if (mesh_.record(edge_of(spoke)).squared_length < surely_shorter && surely_shorter > kMinTrustedFloat) {
       mesh_.marks(edge_of(spoke)) |= kWatchedMarks[spoke & 1];
       return false;
     }

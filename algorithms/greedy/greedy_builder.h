@@ -66,7 +66,7 @@ class GreedyBuilder {
   Faces faces_;
   GreedyCounters counters_;
   std::uint64_t steps_ = 0;
-  float least_squared_length_ = std::numeric_limits<float>::infinity();
+  float min_squared_length_ = std::numeric_limits<float>::infinity();
   std::size_t fetched_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The registry's greedy against the registry's greedy_report, edge for edge, on all families and shapes.
+// The registry's greedy against the registry's greedy_naive, edge for edge, on all families and shapes.
 #include <gtest/gtest.h>
 
 #include "algorithms/greedy/greedy_builder.h"
@@ -33,7 +33,7 @@ std::vector<Edge> edges_by_queue_alone(Points points) { return edges_with_large_
 bool compare_on_family(const GeneratorInfo& family, Index n, std::uint64_t seed) {
   try {
     const PointSet set = make_point_set(generate(family.name, n, seed, {}), family.name);
-    const std::vector<Edge> expected = edges_by("greedy_report", set.points);
+    const std::vector<Edge> expected = edges_by("greedy_naive", set.points);
     EXPECT_EQ(edges_by("greedy", set.points), expected) << family.name << " n=" << n << " seed=" << seed;
     EXPECT_EQ(edges_by_certain_ears(set.points), expected) << family.name << " n=" << n << " seed=" << seed;
     return true;
@@ -44,16 +44,16 @@ bool compare_on_family(const GeneratorInfo& family, Index n, std::uint64_t seed)
 
 void compare_on_shape(const test::Shape& shape, std::size_t n, std::uint64_t seed) {
   const std::vector<Point> points = test::make_shape(shape, n, seed);
-  const std::vector<Edge> expected = edges_by("greedy_report", points);
+  const std::vector<Edge> expected = edges_by("greedy_naive", points);
   EXPECT_EQ(edges_by("greedy", points), expected) << shape.name << " n=" << n << " seed=" << seed;
   EXPECT_EQ(edges_by_certain_ears(points), expected) << shape.name << " n=" << n << " seed=" << seed;
 }
 
-// Instances of up to `largest_n` points: many small ones, a few as large as that.
-std::size_t compare_on_all(std::uint64_t seeds, Index smaller_n, Index largest_n) {
+// Instances of up to `max_n` points: many small ones, a few as large as that.
+std::size_t compare_on_all(std::uint64_t seeds, Index smaller_n, Index max_n) {
   std::size_t instances = 0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Index n = seed % 30 == 0 ? largest_n : 3 + static_cast<Index>(7 * seed) % smaller_n;
+    const Index n = seed % 30 == 0 ? max_n : 3 + static_cast<Index>(7 * seed) % smaller_n;
     for (const GeneratorInfo& family : generators()) instances += compare_on_family(family, n, seed) ? 1 : 0;
     for (const test::Shape& shape : test::shapes()) compare_on_shape(shape, n, seed);
     instances += test::shapes().size();
@@ -61,7 +61,7 @@ std::size_t compare_on_all(std::uint64_t seeds, Index smaller_n, Index largest_n
   return instances;
 }
 
-TEST(GreedyEquivalence, EqualsGreedyReport) { EXPECT_GT(compare_on_all(4, 40, 100), 100U); }
+TEST(GreedyEquivalence, EqualsGreedyNaive) { EXPECT_GT(compare_on_all(4, 40, 100), 100U); }
 
 // Fans of thousands of edges and ears whose search is put off, which small instances do not have.
 TEST(GreedyEquivalence, CertainEarsAgreeWithTheQueueOnCurves) {
@@ -71,7 +71,7 @@ TEST(GreedyEquivalence, CertainEarsAgreeWithTheQueueOnCurves) {
   }
 }
 
-TEST(GreedyEquivalenceSlow, EqualsGreedyReportOnFiveThousandInstances) {
+TEST(GreedyEquivalenceSlow, EqualsGreedyNaiveOnFiveThousandInstances) {
   EXPECT_GE(compare_on_all(150, 60, 500), 5000U);
 }
 

@@ -43,7 +43,7 @@ std::vector<Edge> naive_greedy(Points points) {
 
 void expect_equals_naive(const Shape& shape, std::size_t n, std::uint64_t seed) {
   // Where every decision needs multiple precision, the definition with its O(n^3) of them is for a dozen points.
-  const std::vector<Point> points = make_shape(shape, std::min(n, shape.largest_n / 5), seed);
+  const std::vector<Point> points = make_shape(shape, std::min(n, shape.max_n / 5), seed);
   const Triangulation triangulation = greedy_triangulation(points);
   const auto violation = find_violation(points, triangulation);
   ASSERT_FALSE(violation) << shape.name << " n=" << n << " seed=" << seed << ": " << violation->message;

@@ -13,7 +13,7 @@ namespace mwt {
 
 namespace {
 
-constexpr Index kLargestN = 10'000;  // 50 million pairs: about a gigabyte
+constexpr Index kMaxN = 10'000;  // 50 million pairs: about a gigabyte
 
 std::vector<Edge> sorted_pairs(Points points) {
   const auto n = static_cast<Index>(points.size());
@@ -130,15 +130,15 @@ class TriangleAssembly {
 Solution solve(Points points, Context& context) {
   Solution solution;
   const ScopedPhase phase(context, "greedy");
-  solution.triangulation = greedy_report(points);
+  solution.triangulation = greedy_naive(points);
   return solution;
 }
 
 }  // namespace
 
-Triangulation greedy_report(Points points) {
-  if (points.size() > kLargestN) {
-    throw NotApplicable("greedy_report sorts all pairs of points and takes at most " + std::to_string(kLargestN) +
+Triangulation greedy_naive(Points points) {
+  if (points.size() > kMaxN) {
+    throw NotApplicable("greedy_naive sorts all pairs of points and takes at most " + std::to_string(kMaxN) +
                         " points; this instance has " + std::to_string(points.size()));
   }
   const std::size_t wanted = 2 * points.size() - convex_hull(points).size() - 2;
@@ -153,15 +153,15 @@ Triangulation greedy_report(Points points) {
   return {static_cast<Index>(points.size()), assembly.take()};
 }
 
-AlgorithmInfo greedy_report_entry() {
+AlgorithmInfo greedy_naive_entry() {
   AlgorithmInfo info;
-  info.name = "greedy_report";
+  info.name = "greedy_naive";
   info.summary = "greedy: shortest pairs first, as the report writes it";
   info.source = "source report, section 5.1";
   info.guarantee = "Theta(sqrt n) in the worst case (Levcopoulos 1987; Levcopoulos and Krznaric 1998)";
   info.time = "O(n^3) worst case (the report bounds it by O(n^4))";
   info.space = "O(n^2)";
-  info.largest_n = 4000;
+  info.max_n = 4000;
   info.function = solve;
   return info;
 }

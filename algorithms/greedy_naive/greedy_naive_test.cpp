@@ -32,9 +32,9 @@ std::vector<Edge> literal_greedy_edges(Points points) {
 }
 
 // Claim C1: section 5.1.3 of the source report.
-TEST(GreedyReport, ReproducesTheReportsExample) {
+TEST(GreedyNaive, ReproducesTheReportsExample) {
   const std::vector<Point> points = test::report_example();
-  const Solution solution = test::solve_checked(greedy_report_entry(), points);
+  const Solution solution = test::solve_checked(greedy_naive_entry(), points);
   // As printed there, in its order; corners turned to counter-clockwise order.
   const std::vector<Triangle> expected = {{6, 7, 8}, {0, 3, 1}, {5, 9, 7}, {1, 3, 6}, {3, 7, 6}, {7, 9, 8},
                                           {3, 5, 7}, {1, 6, 8}, {0, 2, 3}, {2, 4, 3}, {3, 4, 5}, {4, 9, 5}};
@@ -43,49 +43,49 @@ TEST(GreedyReport, ReproducesTheReportsExample) {
   EXPECT_NEAR(perimeter_sum(points, solution.triangulation).middle(), 116.9624275385, 5e-11);
 }
 
-TEST(GreedyReport, IsValidOnAllShapes) { test::expect_valid_on_all_shapes(greedy_report_entry(), 100); }
+TEST(GreedyNaive, IsValidOnAllShapes) { test::expect_valid_on_all_shapes(greedy_naive_entry(), 100); }
 
-TEST(GreedyReportSlow, IsValidOnAllShapesOf1000Points) {
+TEST(GreedyNaiveSlow, IsValidOnAllShapesOf1000Points) {
   for (const test::Instance& instance : test::instances(1000)) {
     if (instance.name == "huge" || instance.name == "tiny") continue;  // minutes of exact arithmetic
     SCOPED_TRACE(instance.name);
-    test::solve_checked(greedy_report_entry(), instance.points);
+    test::solve_checked(greedy_naive_entry(), instance.points);
   }
 }
 
-TEST(GreedyReport, EqualsTheLiteralAlgorithm) {
+TEST(GreedyNaive, EqualsTheLiteralAlgorithm) {
   for (const std::size_t n : {3, 4, 5, 6, 8, 12, 20}) {
     for (const test::Instance& instance : test::instances(n)) {
       SCOPED_TRACE(instance.name + " " + std::to_string(n));
-      EXPECT_EQ(edges_of(greedy_report(instance.points)), literal_greedy_edges(instance.points));
+      EXPECT_EQ(edges_of(greedy_naive(instance.points)), literal_greedy_edges(instance.points));
     }
   }
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const std::vector<Point> points = test::lattice_points(15, seed);
     if (all_collinear(points)) continue;
-    EXPECT_EQ(edges_of(greedy_report(points)), literal_greedy_edges(points)) << "seed " << seed;
+    EXPECT_EQ(edges_of(greedy_naive(points)), literal_greedy_edges(points)) << "seed " << seed;
   }
 }
 
-TEST(GreedyReport, TiesGoToTheSmallerIndices) {
+TEST(GreedyNaive, TiesGoToTheSmallerIndices) {
   // The diagonals 0-2 and 1-3 of a square are equal: 0-2 comes first.
   const std::vector<Point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<Triangle> expected = {{0, 1, 2}, {0, 2, 3}};
-  EXPECT_EQ(greedy_report(square).triangles, expected);
+  EXPECT_EQ(greedy_naive(square).triangles, expected);
 }
 
-TEST(GreedyReport, IsOptimalUnderFlips) {
+TEST(GreedyNaive, IsOptimalUnderFlips) {
   for (const test::Instance& instance : test::instances(60)) {
     SCOPED_TRACE(instance.name);
     const FlipSearch search =
-        flip_search(instance.points, greedy_report(instance.points), FlipImprovement::first, std::nullopt);
+        flip_search(instance.points, greedy_naive(instance.points), FlipImprovement::first, std::nullopt);
     EXPECT_TRUE(search.flips.empty());
   }
 }
 
-TEST(GreedyReport, RefusesTooManyPoints) {
+TEST(GreedyNaive, RefusesTooManyPoints) {
   const std::vector<Point> points = test::uniform_points(10'001, 1);
-  EXPECT_THROW(greedy_report(points), NotApplicable);
+  EXPECT_THROW(greedy_naive(points), NotApplicable);
 }
 
 TEST(EdgeOrder, IsExactOnNearTiesAndExtremes) {

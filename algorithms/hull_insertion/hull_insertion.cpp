@@ -18,9 +18,9 @@ namespace {
 
 std::vector<Index> hull_within_limit(Points points) {
   std::vector<Index> hull = convex_hull(points);
-  if (hull.size() > kLargestPolygon) {
+  if (hull.size() > kMaxPolygon) {
     throw NotApplicable("hull_insertion triangulates the hull in O(h^3) time and takes at most " +
-                        std::to_string(kLargestPolygon) + " points on it; this instance has " +
+                        std::to_string(kMaxPolygon) + " points on it; this instance has " +
                         std::to_string(hull.size()));
   }
   return hull;
@@ -103,7 +103,7 @@ AlgorithmInfo hull_insertion_entry() {
   info.guarantee = "none: linear in n in the worst case (family insertion_trap); the report claims O(log n)";
   info.time = "O(h^3 + n log^2 n)";
   info.space = "O(h^2 + n)";
-  info.largest_n = 1'000'000;
+  info.max_n = 1'000'000;
   info.version = 2;
   info.parameters = {{"order",
                       ParameterType::choice,

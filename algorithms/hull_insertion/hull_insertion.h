@@ -31,7 +31,7 @@ struct HullInsertion {
 ///
 /// `seed` matters for InsertionOrder::random only (Boost.Random: the same on every platform).
 /// Points on the hull's sides belong to the hull. Preconditions: distinct points, not all collinear; at most
-/// kLargestPolygon of them on the hull's boundary, otherwise NotApplicable.
+/// kMaxPolygon of them on the hull's boundary, otherwise NotApplicable.
 /// O(h^3 + n log^2 n) time for any points and order, O(h^2 + n) space. Deterministic.
 [[nodiscard]] HullInsertion hull_insertion(Points points, InsertionOrder order, std::uint64_t seed, Context& context);
 

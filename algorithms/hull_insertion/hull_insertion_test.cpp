@@ -200,7 +200,7 @@ TEST(HullInsertion, TheSeedDecidesTheRandomOrderOnly) {
 }
 
 TEST(HullInsertion, RefusesLargeHulls) {
-  const std::vector<Point> points = test::parabola_points(kLargestPolygon + 1);
+  const std::vector<Point> points = test::parabola_points(kMaxPolygon + 1);
   Context context = test::context_for(hull_insertion_entry());
   EXPECT_THROW(hull_insertion_entry().function(points, context), NotApplicable);
 }

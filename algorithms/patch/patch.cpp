@@ -40,10 +40,10 @@ class PatchSearch {
       : mesh_(mesh), options_(options), context_(context), polygon_(mesh, options.k) {}
 
   /// Only patches at triangles with a side of at least this squared length.
-  PatchResult run(float least_squared_length) {
-    least_squared_length_ = least_squared_length;
+  PatchResult run(float min_squared_length) {
+    min_squared_length_ = min_squared_length;
     for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
-      if (mesh_.record(e).squared_length < least_squared_length) continue;
+      if (mesh_.record(e).squared_length < min_squared_length) continue;
       enqueue(2 * e);
       if (!is_outer(2 * e + 1)) enqueue(2 * e + 1);
     }
@@ -65,7 +65,7 @@ class PatchSearch {
 
   void enqueue(Halfedge h) {
     const Halfedge name = name_of_triangle(mesh_, h);
-    if (longest_side(mesh_, name) < least_squared_length_) return;
+    if (longest_side(mesh_, name) < min_squared_length_) return;
     std::uint32_t& marks = mesh_.marks(edge_of(name));
     if ((marks & kQueuedMarks[name & 1]) != 0) return;
     marks |= kQueuedMarks[name & 1];
@@ -75,7 +75,7 @@ class PatchSearch {
   void unqueue(Halfedge h) { mesh_.marks(edge_of(h)) &= ~kQueuedMarks[h & 1]; }
 
   void try_patch(Halfedge h) {
-    polygon_.grow(h, options_.k, options_.walls ? kWallMark : 0);
+    polygon_.grow(h, options_.k, options_.beta_skeleton ? kBetaSkeletonMark : 0);
     if (is_known_to_fail()) return;
     ++result_.patches;
     // No patch reaches beyond an enclosed one, and this one will be optimal: nothing is left to do for its triangles.
@@ -121,7 +121,7 @@ class PatchSearch {
   PatchOptions options_;
   const Context& context_;
   PatchPolygon polygon_;
-  float least_squared_length_ = 0;
+  float min_squared_length_ = 0;
   static constexpr int kFailedBits = 8;
   std::array<std::uint64_t, 1U << kFailedBits> failed_{};
   std::vector<Halfedge> queue_;
@@ -131,20 +131,20 @@ class PatchSearch {
 PatchOptions options_of(const Parameters& parameters) {
   PatchOptions options;
   const std::int64_t k = parameters.integer("k"), passes = parameters.integer("passes");
-  if (k < 2 || k > kLargestPatch) {
-    throw InputError("patch: k=" + std::to_string(k) + " is not between 2 and " + std::to_string(kLargestPatch));
+  if (k < 2 || k > kMaxPatch) {
+    throw InputError("patch: k=" + std::to_string(k) + " is not between 2 and " + std::to_string(kMaxPatch));
   }
   if (passes < 0 || passes > 1'000'000)
     throw InputError("patch: passes=" + std::to_string(passes) + " is not between 0 and 1000000");
   const std::int64_t long_k = parameters.integer("long_k");
-  if (long_k < 0 || long_k > kLargestPatch) {
+  if (long_k < 0 || long_k > kMaxPatch) {
     throw InputError("patch: long_k=" + std::to_string(long_k) + " is not between 0 and " +
-                     std::to_string(kLargestPatch));
+                     std::to_string(kMaxPatch));
   }
   options.k = static_cast<int>(k);
-  options.long_k = static_cast<int>(long_k == 0 ? std::min<std::int64_t>(4 * k, kLargestPatch) : long_k);
+  options.long_k = static_cast<int>(long_k == 0 ? std::min<std::int64_t>(4 * k, kMaxPatch) : long_k);
   options.passes = static_cast<int>(passes);
-  options.walls = parameters.text("walls") == "on";
+  options.beta_skeleton = parameters.text("beta_skeleton") == "on";
   return options;
 }
 
@@ -152,7 +152,7 @@ Solution run_patch(Points points, Context& context) {
   const PatchOptions options = options_of(context.parameters);
   const auto start = [&] {
     const ScopedPhase phase(context, "start");
-    return options.walls ? start_mesh_with_walls(points, context) : start_mesh(points, context);
+    return options.beta_skeleton ? start_mesh_with_beta_skeleton(points, context) : start_mesh(points, context);
   };
   PlanarMesh mesh = start();
   const ScopedPhase phase(context, "patch");
@@ -182,7 +182,7 @@ AlgorithmInfo patch_entry() {
   info.name = "patch";
   info.summary = "re-triangulates patches of k triangles optimally until none improves (large-neighbourhood search)";
   info.source =
-      "this project; sub-solver: G. T. Klincsek, Minimal triangulations of polygonal domains (1980); walls: S.-W. "
+      "this project; sub-solver: G. T. Klincsek, Minimal triangulations of polygonal domains (1980); beta_skeleton: S.-W. "
       "Cheng, "
       "Y.-F. Xu, On beta-skeleton as a subgraph of the minimum weight triangulation (2001)";
   info.guarantee =
@@ -192,12 +192,12 @@ AlgorithmInfo patch_entry() {
   info.version = 3;
   info.time = "O(n k^3) per pass; a few passes in practice";
   info.space = "O(n + k^2)";
-  info.largest_n = 10'000'000;
+  info.max_n = 10'000'000;
   info.parameters = {
       {"k", ParameterType::integer, "6", "triangles per patch, 2 to 128"},
       {"long_k", ParameterType::integer, "0", "triangles per patch around the longest 0.2% of edges; 0: 4 k; 1: none"},
       start_parameter("greedy"),
-      {"walls",
+      {"beta_skeleton",
        ParameterType::choice,
        "on",
        "whether patches stop at edges that every optimum contains",

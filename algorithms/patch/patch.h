@@ -7,13 +7,13 @@
 namespace mwt {
 
 struct PatchOptions {
-  int k = 6;          ///< triangles per patch, 2 .. kLargestPatch
+  int k = 6;          ///< triangles per patch, 2 .. kMaxPatch
   int long_k = 0;     ///< if more than k: as many, in the end, around the longest edges
   int passes = 0;     ///< rounds at most; 0: until no patch improves
-  bool walls = true;  ///< whether patches stop at edges with kWallMark (start/walls.h)
+  bool beta_skeleton = true;  ///< whether patches stop at edges with kBetaSkeletonMark (common/beta_skeleton_edges.h)
 };
 
-inline constexpr int kLargestPatch = 128;
+inline constexpr int kMaxPatch = 128;
 
 struct PatchResult {
   std::size_t patches = 0;   ///< re-triangulated

@@ -10,9 +10,9 @@
 
 namespace mwt {
 
-PatchPolygon::PatchPolygon(PlanarMesh& mesh, int largest_k)
+PatchPolygon::PatchPolygon(PlanarMesh& mesh, int max_k)
     : mesh_(mesh),
-      row_length_(static_cast<std::size_t>(largest_k) + 2),
+      row_length_(static_cast<std::size_t>(max_k) + 2),
       costs_(row_length_ * row_length_),
       apexes_(costs_.size()) {}
 
@@ -118,7 +118,7 @@ bool PatchPolygon::is_surely_shorter() {
     present_.push_back(make_edge(mesh_.origin(2 * e), mesh_.target(2 * e)));
     present += rounded_distance(mesh_.point(present_.back().a), mesh_.point(present_.back().b));
   }
-  if (present < kSmallestTrustedLength) return false;
+  if (present < kMinTrustedLength) return false;
   if (optimum < present * (1 - 0x1p-42)) return true;
   if (!(optimum < present * (1 + 0x1p-42))) return false;
   chords_.clear();

@@ -10,8 +10,8 @@ namespace mwt {
 /// One patch after the other: grow, then improve. Keeps its arrays.
 class PatchPolygon {
  public:
-  /// Of at most `largest_k` triangles.
-  PatchPolygon(PlanarMesh& mesh, int largest_k);
+  /// Of at most `max_k` triangles.
+  PatchPolygon(PlanarMesh& mesh, int max_k);
 
   /// Takes up to k triangles by breadth-first search in the dual from the one left of `start`, never across hull edges
   /// nor edges with one of the marks `closed`.

@@ -84,7 +84,7 @@ TEST(Patch, IsOptimalWhenOnePatchCoversAConvexPolygon) {
 TEST(Patch, IsFlipOptimalAtTheEnd) {
   for (const Shape& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 200, 5);
-    const Solution solution = solve_checked(patch_entry(), points, {{"start", "random"}, {"walls", "off"}});
+    const Solution solution = solve_checked(patch_entry(), points, {{"start", "random"}, {"beta_skeleton", "off"}});
     // Patches of two triangles are flips; only those that rounding cannot certify may be left.
     Context context;
     PlanarMesh mesh(points, solution.triangulation);
@@ -115,16 +115,16 @@ TEST(Patch, WallsAreInTheBestTriangulationsFound) {
   for (const std::string name : {"uniform", "clustered", "log_radial"}) {
     const std::vector<Point> points = make_shape(shape_named(name), 300, 2);
     PlanarMesh delaunay = PlanarMesh::delaunay(points);
-    mark_walls(delaunay);
-    const Solution solution = solve_checked(patch_entry(), points, {{"k", "12"}, {"walls", "off"}});
+    mark_beta_skeleton(delaunay);
+    const Solution solution = solve_checked(patch_entry(), points, {{"k", "12"}, {"beta_skeleton", "off"}});
     const std::vector<Edge> best = edges_of(solution.triangulation);
-    std::size_t walls = 0;
+    std::size_t beta_skeleton = 0;
     for (MeshEdge e = 0; e < delaunay.edge_count(); ++e) {
-      if ((delaunay.marks(e) & kWallMark) == 0) continue;
-      ++walls;
+      if ((delaunay.marks(e) & kBetaSkeletonMark) == 0) continue;
+      ++beta_skeleton;
       EXPECT_TRUE(std::binary_search(best.begin(), best.end(), delaunay.labelled_edge(e))) << name;
     }
-    EXPECT_GT(walls, 100U) << name;
+    EXPECT_GT(beta_skeleton, 100U) << name;
   }
 }
 

@@ -54,10 +54,10 @@ class IntervalTable {
 
   // The first k for which triangle (i, k, j) is best; `size()` if none turns left with feasible rests.
   [[nodiscard]] std::size_t best_split(std::size_t i, std::size_t j) const {
-    const double any_bound = smallest_sum(i, j);
+    const double any_bound = min_sum(i, j);
     if (any_bound == kInfinity) return size_;
     const std::size_t k = best_split_near(i, j, any_bound);
-    return k != size_ ? k : best_split_near(i, j, smallest_left_turning_sum(i, j));
+    return k != size_ ? k : best_split_near(i, j, min_left_turning_sum(i, j));
   }
 
  private:
@@ -87,7 +87,7 @@ class IntervalTable {
 
   // The smallest sum over all splits, whichever way their triangles turn. Four minima side by side keep the
   // processor busy; this loop is where the time goes.
-  [[nodiscard]] double smallest_sum(std::size_t i, std::size_t j) const {
+  [[nodiscard]] double min_sum(std::size_t i, std::size_t j) const {
     const double* left = &high_[i * size_];
     const double* right = &high_[j * size_];
     std::array<double, 4> smallest = {kInfinity, kInfinity, kInfinity, kInfinity};
@@ -101,7 +101,7 @@ class IntervalTable {
     return std::min(std::min(smallest[0], smallest[1]), std::min(smallest[2], smallest[3]));
   }
 
-  [[nodiscard]] double smallest_left_turning_sum(std::size_t i, std::size_t j) const {
+  [[nodiscard]] double min_left_turning_sum(std::size_t i, std::size_t j) const {
     double smallest = kInfinity;
     for (std::size_t k = i + 1; k < j; ++k) {
       const double sum = high_[i * size_ + k] + high_[j * size_ + k];
@@ -166,8 +166,8 @@ std::vector<Triangle> preorder_triangles(const IntervalTable& table, std::span<c
 }
 
 void require_convex_position(Points points, const std::vector<Index>& hull) {
-  if (hull.size() > kLargestPolygon) {
-    throw NotApplicable("polygon_dp takes O(n^3) time and at most " + std::to_string(kLargestPolygon) +
+  if (hull.size() > kMaxPolygon) {
+    throw NotApplicable("polygon_dp takes O(n^3) time and at most " + std::to_string(kMaxPolygon) +
                         " points; this instance has " + std::to_string(points.size()));
   }
   if (hull.size() == points.size()) return;
@@ -215,7 +215,7 @@ AlgorithmInfo polygon_dp_entry() {
   info.time = "O(n^3)";
   info.space = "O(n^2)";
   info.exactness = Exactness::exact;
-  info.largest_n = kLargestPolygon;
+  info.max_n = kMaxPolygon;
   info.version = 2;
   info.convex_position_only = true;
   info.parameters = {{"objective",

@@ -42,7 +42,7 @@ struct PolygonTriangulation {
                                                        PolygonObjective objective);
 
 /// Most vertices that the algorithms built on it accept: 10 to 30 seconds and 400 MB.
-inline constexpr Index kLargestPolygon = 5000;
+inline constexpr Index kMaxPolygon = 5000;
 
 /// Registry entry: the points themselves as polygon. NotApplicable unless all of them lie on the hull's boundary.
 /// Exact: with objective=edges the solution carries the optimum. Ignores the deadline.

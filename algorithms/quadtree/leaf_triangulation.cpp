@@ -13,7 +13,7 @@ namespace mwt {
 
 namespace {
 
-constexpr std::size_t kSize = kLargestLeaf;
+constexpr std::size_t kSize = kMaxLeaf;
 
 // A monotone path as the set of its vertices, bit i for the i-th point in lexicographic order.
 using Path = std::uint32_t;

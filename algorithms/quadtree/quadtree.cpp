@@ -61,9 +61,9 @@ std::vector<Edge> leaf_edges(Points points, const Quadtree& tree, int capacity, 
 
 Solution solve(Points points, Context& context) {
   const std::int64_t capacity = context.parameters.integer("capacity");
-  if (capacity < 1 || capacity > kLargestLeaf) {
+  if (capacity < 1 || capacity > kMaxLeaf) {
     throw InputError("quadtree: parameter capacity=" + std::to_string(capacity) + " is not between 1 and " +
-                     std::to_string(kLargestLeaf));
+                     std::to_string(kMaxLeaf));
   }
   QuadtreeTriangulation result = quadtree_triangulation(points, static_cast<int>(capacity), context);
   Solution solution;
@@ -102,9 +102,9 @@ AlgorithmInfo quadtree_entry() {
   info.version = 3;
   info.time = "O(n log n)";
   info.space = "O(n)";
-  info.largest_n = 1'000'000;
+  info.max_n = 1'000'000;
   info.parameters = {
-      {"capacity", ParameterType::integer, "4", "points per leaf, 1 to " + std::to_string(kLargestLeaf), {}}};
+      {"capacity", ParameterType::integer, "4", "points per leaf, 1 to " + std::to_string(kMaxLeaf), {}}};
   info.function = solve;
   return info;
 }

@@ -21,7 +21,7 @@ struct QuadtreeTriangulation {
 /// are disjoint convex cells, so no two of their edges cross and none passes through a point. A leaf at the quadtree's
 /// greatest depth may hold more points than the capacity: its edges are those of its Delaunay triangulation.
 ///
-/// Preconditions: distinct points, not all collinear; capacity from 1 to kLargestLeaf, otherwise InputError.
+/// Preconditions: distinct points, not all collinear; capacity from 1 to kMaxLeaf, otherwise InputError.
 /// No guarantee is known. O(n log n + n 2^capacity) time expected, O(n) space. Deterministic, except for
 /// context.phases, where the times of grid, leaves and merge go.
 [[nodiscard]] QuadtreeTriangulation quadtree_triangulation(Points points, int capacity, Context& context);

@@ -26,7 +26,7 @@ double total_length(Points points, const std::vector<Edge>& edges) {
 }
 
 // The least weight of all triangulations that flips reach from the Delaunay triangulation: of all there are.
-double least_weight_by_flips(Points points) {
+double min_weight_by_flips(Points points) {
   const Triangulation start = delaunay_triangulation(points);
   std::map<std::vector<Edge>, FlipTriangulation> seen;
   std::vector<std::vector<Edge>> open = {edges_of(start)};
@@ -52,7 +52,7 @@ TEST(LeafTriangulation, IsOptimalAmongAllTriangulations) {
     for (const test::Instance& instance : test::instances(n)) {
       if (instance.name == "huge" || instance.name == "tiny") continue;  // for the tolerance's sake
       SCOPED_TRACE(instance.name + " " + std::to_string(n));
-      const double least = least_weight_by_flips(instance.points);
+      const double least = min_weight_by_flips(instance.points);
       const double found =
           total_length(instance.points, minimum_weight_edges(instance.points, all_of(instance.points)));
       EXPECT_NEAR(found, least, 1e-13 * least);
@@ -61,7 +61,7 @@ TEST(LeafTriangulation, IsOptimalAmongAllTriangulations) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const std::vector<Point> points = seed % 2 == 0 ? test::uniform_points(8, seed) : test::lattice_points(8, seed);
     if (all_collinear(points)) continue;
-    const double least = least_weight_by_flips(points);
+    const double least = min_weight_by_flips(points);
     EXPECT_NEAR(total_length(points, minimum_weight_edges(points, all_of(points))), least, 1e-13 * least);
   }
 }

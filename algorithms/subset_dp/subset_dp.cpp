@@ -226,13 +226,13 @@ class PathProgram {
 
 Solution solve(Points points, Context& context) {
   const std::int64_t limit = context.parameters.integer("max_points");
-  if (limit < 3 || limit > std::int64_t{kSubsetDpLargestN}) {
+  if (limit < 3 || limit > std::int64_t{kSubsetDpMaxN}) {
     throw InputError("subset_dp: parameter max_points=" + std::to_string(limit) + " is not between 3 and " +
-                     std::to_string(kSubsetDpLargestN));
+                     std::to_string(kSubsetDpMaxN));
   }
   if (std::ssize(points) > limit) {
     throw NotApplicable("subset_dp: " + std::to_string(points.size()) + " points; it takes at most " +
-                        std::to_string(limit) + " (parameter max_points, up to " + std::to_string(kSubsetDpLargestN) +
+                        std::to_string(limit) + " (parameter max_points, up to " + std::to_string(kSubsetDpMaxN) +
                         ")");
   }
   Solution solution;
@@ -279,7 +279,7 @@ AlgorithmInfo subset_dp_entry() {
   info.time = "O(n^2 2^n)";
   info.space = "O(n 2^n)";
   info.exactness = Exactness::exact;
-  info.largest_n = 24;
+  info.max_n = 24;
   info.version = 2;
   info.parameters = {{"max_points", ParameterType::integer, "24",
                       "largest number of points it takes, 3 to 26; memory quadruples with every two points"}};

@@ -12,7 +12,7 @@ namespace mwt {
 
 /// Counts are 128 bits wide; n points have fewer than 30^n triangulations (M. Sharir, A. Sheffer, "Counting
 /// triangulations of planar point sets", Electronic Journal of Combinatorics 18, 2011), and 30^26 < 2^128.
-inline constexpr Index kSubsetDpLargestN = 26;
+inline constexpr Index kSubsetDpMaxN = 26;
 
 struct SubsetDpResult {
   Triangulation lightest;
@@ -32,7 +32,7 @@ struct SubsetDpResult {
 /// Degenerate rules: only empty triangles (closed) are advanced over, so edges have no points in their interiors, and
 /// turns are strict; hull paths hold all collinear points.
 ///
-/// Preconditions: 3 to kSubsetDpLargestN distinct points, not all collinear.
+/// Preconditions: 3 to kSubsetDpMaxN distinct points, not all collinear.
 /// Ties: the first lightest way found. Exact decisions; weights in double-double. Deterministic.
 /// O(n^2 2^n) time. 28 bytes per path visited (at most 2^(n - 2)) and 16 bytes per state of two neighbouring layers.
 /// Nothing if the deadline passes before the end.

@@ -84,7 +84,7 @@ AlgorithmInfo sweep_entry() {
   info.guarantee = "none: grows like sqrt(n) on uniform points";
   info.time = "O(n log n)";
   info.space = "O(n)";
-  info.largest_n = 10'000'000;
+  info.max_n = 10'000'000;
   info.function = solve;
   return info;
 }

@@ -9,8 +9,8 @@ namespace mwt {
 
 namespace {
 
-constexpr std::size_t kMostSweeps = 20'000;
-constexpr std::size_t kMostVisits = 1'000'000'000;  // of columns, in all sweeps together
+constexpr std::size_t kMaxSweeps = 20'000;
+constexpr std::size_t kMaxVisits = 1'000'000'000;  // of columns, in all sweeps together
 constexpr double kNegligibleGain = 1e-6;            // per sweep, relative
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -18,10 +18,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The columns at every side, and their reduced costs, kept up to date.
 class SideBalance {
  public:
-  SideBalance(const CoverModel& model, CoverCredits& credits)
-      : model_(model), credit_(credits.of_side), first_(model.side_cost.size() + 1, 0) {
+  SideBalance(const CoverModel& model, CoverDuals& duals)
+      : model_(model), dual_(duals.of_side), first_(model.side_cost.size() + 1, 0) {
     for (const auto& column : model.columns) {
-      reduced_.push_back(reduced_cost(model, credits, column));
+      reduced_.push_back(reduced_cost(model, duals, column));
       for (const Side side : column.sides) ++first_[side + 1];
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
@@ -32,55 +32,55 @@ class SideBalance {
     }
   }
 
-  void add_credit(Side side, double credit) {
-    credit_[side] += credit;
-    for (std::uint32_t i = first_[side]; i < first_[side + 1]; ++i) reduced_[columns_[i]] -= credit;
+  void add_dual(Side side, double dual) {
+    dual_[side] += dual;
+    for (std::uint32_t i = first_[side]; i < first_[side + 1]; ++i) reduced_[columns_[i]] -= dual;
   }
 
   void balance(std::uint32_t edge) {
     const Side forward = forward_side(edge), backward = backward_side(edge);
     if (!model_.is_inner(edge)) {
       for (const Side side : {forward, backward}) {
-        if (model_.on_boundary[side] && least_at(side) < kInfinity) add_credit(side, least_at(side));
+        if (model_.on_boundary[side] && min_at(side) < kInfinity) add_dual(side, min_at(side));
       }
       return;
     }
-    const double least_forward = least_at(forward), least_backward = least_at(backward);
-    const bool both_sides_live = least_forward < kInfinity && least_backward < kInfinity;
+    const double min_forward = min_at(forward), min_backward = min_at(backward);
+    const bool both_sides_live = min_forward < kInfinity && min_backward < kInfinity;
     if (both_sides_live) {
-      const double moved = 0.5 * (least_forward - least_backward);
-      add_credit(forward, moved);
-      add_credit(backward, -moved);
-    } else if (least_forward < model_.largest_cover_cost || least_backward < model_.largest_cover_cost) {
+      const double moved = 0.5 * (min_forward - min_backward);
+      add_dual(forward, moved);
+      add_dual(backward, -moved);
+    } else if (min_forward < model_.max_cover_cost || min_backward < model_.max_cover_cost) {
       // No cover uses the edge: price its triangles out.
-      const double moved = (least_forward < kInfinity ? -1 : 1) * 2 * model_.largest_cover_cost;
-      add_credit(forward, moved);
-      add_credit(backward, -moved);
+      const double moved = (min_forward < kInfinity ? -1 : 1) * 2 * model_.max_cover_cost;
+      add_dual(forward, moved);
+      add_dual(backward, -moved);
     }
   }
 
-  [[nodiscard]] double boundary_credit() const {
+  [[nodiscard]] double boundary_dual() const {
     double total = 0;
-    for (Side side = 0; side < credit_.size(); ++side) total += model_.on_boundary[side] ? credit_[side] : 0;
+    for (Side side = 0; side < dual_.size(); ++side) total += model_.on_boundary[side] ? dual_[side] : 0;
     return total;
   }
 
-  // Opposite sides' credits are exact negatives but for the rounding of many small steps.
+  // Opposite sides' dual values are exact negatives but for the rounding of many small steps.
   void make_opposite() {
     for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) {
-      if (model_.is_inner(edge)) credit_[forward_side(edge)] = -credit_[backward_side(edge)];
+      if (model_.is_inner(edge)) dual_[forward_side(edge)] = -dual_[backward_side(edge)];
     }
   }
 
  private:
-  [[nodiscard]] double least_at(Side side) const {
+  [[nodiscard]] double min_at(Side side) const {
     double least = kInfinity;
     for (std::uint32_t i = first_[side]; i < first_[side + 1]; ++i) least = std::min(least, reduced_[columns_[i]]);
     return least;
   }
 
   const CoverModel& model_;
-  std::vector<double>& credit_;
+  std::vector<double>& dual_;
   std::vector<std::uint32_t> first_;  // columns at side s: columns_[first_[s]] .. columns_[first_[s + 1]]
   std::vector<std::uint32_t> columns_;
   std::vector<double> reduced_;
@@ -97,18 +97,18 @@ std::vector<std::uint32_t> edges_by_length(const CoverModel& model) {
 
 }  // namespace
 
-void balance_credits(const CoverModel& model, CoverCredits& credits, const Deadline& deadline) {
-  SideBalance balance(model, credits);
+void balance_duals(const CoverModel& model, CoverDuals& duals, const Deadline& deadline) {
+  SideBalance balance(model, duals);
   std::vector<std::uint32_t> order = edges_by_length(model);
-  double last = balance.boundary_credit();
-  const std::size_t sweeps = std::min(kMostSweeps, kMostVisits / (model.columns.size() + 1));
+  double last = balance.boundary_dual();
+  const std::size_t sweeps = std::min(kMaxSweeps, kMaxVisits / (model.columns.size() + 1));
   for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
     for (const std::uint32_t edge : order) balance.balance(edge);
     std::reverse(order.begin(), order.end());  // news travels both ways
-    const double credit = balance.boundary_credit();
+    const double dual = balance.boundary_dual();
     const bool late = has_passed(deadline);
-    if (late || std::abs(credit - last) <= kNegligibleGain * credit) break;
-    last = credit;
+    if (late || std::abs(dual - last) <= kNegligibleGain * dual) break;
+    last = dual;
   }
   balance.make_opposite();
 }

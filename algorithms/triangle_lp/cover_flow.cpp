@@ -141,11 +141,11 @@ std::vector<Point> local_points(const CoverModel& model, Points points) {
 
 }  // namespace
 
-CoverCredits credits_of_cover(const CoverModel& model, Points points, std::span<const Triangle> cover) {
-  CoverCredits credits{std::vector<double>(model.side_cost.size(), 0),
+CoverDuals duals_of_cover(const CoverModel& model, Points points, std::span<const Triangle> cover) {
+  CoverDuals duals{std::vector<double>(model.side_cost.size(), 0),
                        std::vector<EdgeDecision>(model.edges.size(), EdgeDecision::open)};
   const CoverTriangles triangles(model, cover);
-  if (triangles.size() == 0) return credits;
+  if (triangles.size() == 0) return duals;
   const std::vector<Point> local = local_points(model, points);
   const std::vector<double> flow = flow_through_sides(model, triangles);
   const std::vector<TriangleFlow> fields = flows_in_triangles(triangles, flow, local);
@@ -153,19 +153,19 @@ CoverCredits credits_of_cover(const CoverModel& model, Points points, std::span<
     const Side forward = forward_side(edge), backward = backward_side(edge);
     const bool in_cover = triangles.left_of(forward) != kNoIndex || triangles.left_of(backward) != kNoIndex;
     if (in_cover) {
-      credits.of_side[forward] = flow[forward];
-      credits.of_side[backward] = flow[backward];
+      duals.of_side[forward] = flow[forward];
+      duals.of_side[backward] = flow[backward];
       continue;
     }
     double through = 0;
     for (const TriangleFlow& field : fields)
       through += field.through(local[model.edges[edge].a], local[model.edges[edge].b]);
     // In slivers the field may be huge, by right or by rounding; such a guess would drown all other costs.
-    if (!(std::abs(through) <= model.largest_cover_cost)) continue;
-    credits.of_side[forward] = through;
-    credits.of_side[backward] = -through;
+    if (!(std::abs(through) <= model.max_cover_cost)) continue;
+    duals.of_side[forward] = through;
+    duals.of_side[backward] = -through;
   }
-  return credits;
+  return duals;
 }
 
 }  // namespace mwt

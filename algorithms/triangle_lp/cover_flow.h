@@ -1,4 +1,4 @@
-// Credits that pay exactly for a known cover, as a flow of credit through the plane.
+// Credits that pay exactly for a known cover, as a flow of dual value through the plane.
 #pragma once
 
 #include "algorithms/triangle_lp/cover_model.h"
@@ -11,10 +11,10 @@ namespace mwt {
 ///
 /// Each triangle of the cover is a source of its own cost; the dual graph's shortest paths carry it to the boundary;
 /// within a triangle the flow is the linear vector field with constant flow through each side (P. A. Raviart, J. M.
-/// Thomas, "A mixed finite element method for second order elliptic problems", 1977). The credit of a side is what
+/// Thomas, "A mixed finite element method for second order elliptic problems", 1977). The dual value of a side is what
 /// flows out through it.
 ///
 /// All zero without a cover. In doubles: a starting point, so rounding does no harm. O(edges * triangles of the cover).
-[[nodiscard]] CoverCredits credits_of_cover(const CoverModel& model, Points points, std::span<const Triangle> cover);
+[[nodiscard]] CoverDuals duals_of_cover(const CoverModel& model, Points points, std::span<const Triangle> cover);
 
 }  // namespace mwt

@@ -74,11 +74,11 @@ struct SignedSum {
   }
 };
 
-SignedSum precise_reduced_cost(const CoverModel& model, const CoverCredits& credits, const CoverModel::Column& column) {
+SignedSum precise_reduced_cost(const CoverModel& model, const CoverDuals& duals, const CoverModel::Column& column) {
   SignedSum total;
   for (const Side side : column.sides) {
     total.add(model.side_cost[side]);
-    total.add(-credits.of_side[side]);
+    total.add(-duals.of_side[side]);
   }
   return total;
 }
@@ -86,10 +86,10 @@ SignedSum precise_reduced_cost(const CoverModel& model, const CoverCredits& cred
 // A cheap proof that a column's reduced cost is not negative.
 class PricingFilter {
  public:
-  PricingFilter(const CoverModel& model, const CoverCredits& credits) {
+  PricingFilter(const CoverModel& model, const CoverDuals& duals) {
     for (Side side = 0; side < model.side_cost.size(); ++side) {
-      const double cost = model.side_cost[side].high, credit = credits.of_side[side];
-      sides_.push_back({cost - credit, kDoubleError * (cost + std::abs(credit)) + kUnderflow});
+      const double cost = model.side_cost[side].high, dual = duals.of_side[side];
+      sides_.push_back({cost - dual, kDoubleError * (cost + std::abs(dual)) + kUnderflow});
     }
   }
 
@@ -106,12 +106,12 @@ class PricingFilter {
   std::vector<PricedSide> sides_;
 };
 
-// The credits that every cover collects, whichever triangles it has.
-SignedSum certain_credit(const CoverModel& model, const CoverCredits& credits) {
+// The dual values that every cover collects, whichever triangles it has.
+SignedSum certain_dual(const CoverModel& model, const CoverDuals& duals) {
   SignedSum total;
   for (Side side = 0; side < model.on_boundary.size(); ++side) {
-    const bool covered_once = model.on_boundary[side] || credits.decisions[edge_of(side)] == EdgeDecision::in;
-    if (covered_once) total.add(credits.of_side[side]);
+    const bool covered_once = model.on_boundary[side] || duals.decisions[edge_of(side)] == EdgeDecision::in;
+    if (covered_once) total.add(duals.of_side[side]);
   }
   return total;
 }
@@ -134,8 +134,8 @@ CoverModel::CoverModel(const TriangleCoverProblem& problem) : triangle_count(pro
   });
   exponent = unit_exponent(problem.points, edges);
   side_cost = costs_of_sides(problem.points, *this);
-  for (const Column& column : columns) largest_cover_cost = std::max(largest_cover_cost, cost(column));
-  largest_cover_cost *= static_cast<double>(triangle_count) * (1 + 0x1p-40);
+  for (const Column& column : columns) max_cover_cost = std::max(max_cover_cost, cost(column));
+  max_cover_cost *= static_cast<double>(triangle_count) * (1 + 0x1p-40);
 }
 
 double CoverModel::cost(const Column& column) const {
@@ -143,25 +143,25 @@ double CoverModel::cost(const Column& column) const {
   return side_cost[a].high + side_cost[b].high + side_cost[c].high;
 }
 
-double reduced_cost(const CoverModel& model, const CoverCredits& credits, const CoverModel::Column& column) {
-  return precise_reduced_cost(model, credits, column).sum.high;
+double reduced_cost(const CoverModel& model, const CoverDuals& duals, const CoverModel::Column& column) {
+  return precise_reduced_cost(model, duals, column).sum.high;
 }
 
-double least_reduced_cost(const CoverModel& model, const CoverCredits& credits, const CoverModel::Column& column) {
-  return precise_reduced_cost(model, credits, column).lower(kDoubleDoubleSumError);
+double min_reduced_cost(const CoverModel& model, const CoverDuals& duals, const CoverModel::Column& column) {
+  return precise_reduced_cost(model, duals, column).lower(kDoubleDoubleSumError);
 }
 
-CoverPricing price(const CoverModel& model, const CoverCredits& credits) {
+CoverPricing price(const CoverModel& model, const CoverDuals& duals) {
   CoverPricing result;
-  const PricingFilter filter(model, credits);
+  const PricingFilter filter(model, duals);
   for (std::uint32_t c = 0; c < model.columns.size(); ++c) {
     if (filter.proves_non_negative(model.columns[c])) continue;
-    const SignedSum reduced = precise_reduced_cost(model, credits, model.columns[c]);
+    const SignedSum reduced = precise_reduced_cost(model, duals, model.columns[c]);
     result.worst = std::min(result.worst, reduced.lower(kDoubleDoubleSumError));
     if (reduced.sum.high < 0) result.violated.push_back({c, reduced.sum.high});
   }
-  SignedSum bound = certain_credit(model, credits);
-  result.credit = bound.sum.high;
+  SignedSum bound = certain_dual(model, duals);
+  result.dual = bound.sum.high;
   bound.add(exact_product(static_cast<double>(model.triangle_count), result.worst));
   const double terms = static_cast<double>(model.on_boundary.size());
   result.lower = bound.lower((terms + 8) * kDoubleDoubleError);

@@ -18,26 +18,26 @@ constexpr int kPatience = 3;
 
 // A power of two by which `worst` becomes about -1: doubles scale exactly.
 double scale_for(double worst) {
-  constexpr int kLargestExponent = 60;
-  return worst < 0 ? std::ldexp(1.0, std::min(-std::ilogb(worst), kLargestExponent)) : 1;
+  constexpr int kMaxExponent = 60;
+  return worst < 0 ? std::ldexp(1.0, std::min(-std::ilogb(worst), kMaxExponent)) : 1;
 }
 
 bool is_forward(Side side) { return side == forward_side(edge_of(side)); }
 
 }  // namespace
 
-CoverProgram::CoverProgram(const CoverModel& model, CoverCredits credits, std::span<const std::uint32_t> first_columns,
+CoverProgram::CoverProgram(const CoverModel& model, CoverDuals duals, std::span<const std::uint32_t> first_columns,
                            const Deadline& deadline)
     : model_(model),
       deadline_(deadline),
-      credits_(std::move(credits)),
-      empty_cover_cost_(2 * model.largest_cover_cost) {
+      duals_(std::move(duals)),
+      empty_cover_cost_(2 * model.max_cover_cost) {
   const std::size_t edges = model.edges.size();
   is_active_.assign(model.columns.size(), 0);
   boundary_row_.assign(2 * edges, kNone);
   balance_row_.assign(edges, kNone);
   decision_row_.assign(edges, kNone);
-  decision_credit_.assign(edges, 0);
+  decision_dual_.assign(edges, 0);
   program_.add_column({});
   for (Side side = 0; side < 2 * edges; ++side) {
     if (model.on_boundary[side]) boundary_row_[side] = program_.add_row({}, 1);
@@ -75,7 +75,7 @@ void CoverProgram::update_empty_cover() {
     if (row != kNone) entries.push_back({row, 1});
   }
   for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) {
-    if (credits_.decisions[edge] == EdgeDecision::in) entries.push_back({decision_row_[edge], 1});
+    if (duals_.decisions[edge] == EdgeDecision::in) entries.push_back({decision_row_[edge], 1});
   }
   program_.replace_column(kEmptyCover, entries);
 }
@@ -90,11 +90,11 @@ void CoverProgram::decide(std::uint32_t edge, EdgeDecision decision) {
     }
     decision_row_[edge] = program_.add_row(entries, 0);
   }
-  credits_.decisions[edge] = decision;
+  duals_.decisions[edge] = decision;
   if (decision == EdgeDecision::open) {
     program_.set_right_side(decision_row_[edge], {});
-    decision_credit_[edge] = 0;
-    credits_.of_side[forward_side(edge)] = -credits_.of_side[backward_side(edge)];
+    decision_dual_[edge] = 0;
+    duals_.of_side[forward_side(edge)] = -duals_.of_side[backward_side(edge)];
   } else {
     program_.set_right_side(decision_row_[edge], decision == EdgeDecision::in ? 1 : 0);
   }
@@ -104,39 +104,39 @@ void CoverProgram::decide(std::uint32_t edge, EdgeDecision decision) {
 // GLPK's tolerance is relative to the largest cost, so costs that are too large to matter are cut. After pricing,
 // `scale` has made every reduced cost at least -2, so that no cover gains more than twice its triangles by leaving the
 // last optimum: dearer columns stay out of it whatever exactly they cost.
-double CoverProgram::largest_useful_cost(double scale) const {
+double CoverProgram::max_useful_cost(double scale) const {
   constexpr double kMargin = 8;
   const bool priced = -scale * pricing_.worst >= 1;
   return priced ? 2 * kMargin * static_cast<double>(model_.triangle_count) : std::numeric_limits<double>::max();
 }
 
 void CoverProgram::set_reduced_costs(double scale) {
-  double certain_credit = 0;
-  for (Side side = 0; side < credits_.of_side.size(); ++side) {
-    const bool covered_once = model_.on_boundary[side] || credits_.decisions[edge_of(side)] == EdgeDecision::in;
-    if (covered_once) certain_credit += credits_.of_side[side];
+  double certain_dual = 0;
+  for (Side side = 0; side < duals_.of_side.size(); ++side) {
+    const bool covered_once = model_.on_boundary[side] || duals_.decisions[edge_of(side)] == EdgeDecision::in;
+    if (covered_once) certain_dual += duals_.of_side[side];
   }
-  const double cap = largest_useful_cost(scale);
-  std::vector<double> costs{std::min((empty_cover_cost_ - certain_credit) * scale, cap)};
+  const double cap = max_useful_cost(scale);
+  std::vector<double> costs{std::min((empty_cover_cost_ - certain_dual) * scale, cap)};
   for (const std::uint32_t column : active_) {
-    costs.push_back(std::min(reduced_cost(model_, credits_, model_.columns[column]) * scale, cap));
+    costs.push_back(std::min(reduced_cost(model_, duals_, model_.columns[column]) * scale, cap));
   }
   program_.set_costs(costs);
 }
 
-void CoverProgram::add_duals_to_credits(double scale) {
+void CoverProgram::add_program_duals(double scale) {
   for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) {
-    double& forward = credits_.of_side[forward_side(edge)];
-    double& backward = credits_.of_side[backward_side(edge)];
+    double& forward = duals_.of_side[forward_side(edge)];
+    double& backward = duals_.of_side[backward_side(edge)];
     if (balance_row_[edge] != kNone) {
       backward -= program_.dual(balance_row_[edge]) / scale;
-      if (credits_.decisions[edge] != EdgeDecision::open) {
-        decision_credit_[edge] += program_.dual(decision_row_[edge]) / scale;
+      if (duals_.decisions[edge] != EdgeDecision::open) {
+        decision_dual_[edge] += program_.dual(decision_row_[edge]) / scale;
       }
-      forward = decision_credit_[edge] - backward;
+      forward = decision_dual_[edge] - backward;
     }
     for (const Side side : {forward_side(edge), backward_side(edge)}) {
-      if (boundary_row_[side] != kNone) credits_.of_side[side] += program_.dual(boundary_row_[side]) / scale;
+      if (boundary_row_[side] != kNone) duals_.of_side[side] += program_.dual(boundary_row_[side]) / scale;
     }
   }
 }
@@ -145,7 +145,7 @@ bool CoverProgram::optimise(Method method, double scale) {
   set_reduced_costs(scale);
   ++programs_;
   solved_ = program_.solve(method, deadline_);
-  if (solved_) add_duals_to_credits(scale);
+  if (solved_) add_program_duals(scale);
   return solved_;
 }
 
@@ -172,15 +172,15 @@ bool CoverProgram::add_violated_columns(std::vector<PricedColumn> violated) {
   return kept > 0;
 }
 
-double CoverProgram::solve(double enough, int most_rounds) {
-  double best = std::max(0.0, price(model_, credits_).lower);  // all there is if the deadline is near
+double CoverProgram::solve(double enough, int max_rounds) {
+  double best = std::max(0.0, price(model_, duals_).lower);  // all there is if the deadline is near
   double best_gap = std::numeric_limits<double>::infinity();
   int rounds_without_gain = 0;
   double scale = 1;
   Method method = Method::dual;
   pricing_ = {};
-  for (int round = 0; round < most_rounds && optimise(method, scale); ++round) {
-    pricing_ = price(model_, credits_);
+  for (int round = 0; round < max_rounds && optimise(method, scale); ++round) {
+    pricing_ = price(model_, duals_);
     best = std::max(best, pricing_.lower);
     const double value = primal_value();
     const double gap = value - pricing_.lower;
@@ -231,7 +231,7 @@ std::optional<std::uint32_t> CoverProgram::fractional_edge() const {
   double best_merit = 0;
   for (std::uint32_t edge = 0; edge < use.size(); ++edge) {
     const double fraction = std::min(use[edge], 1 - use[edge]);
-    if (!model_.is_inner(edge) || credits_.decisions[edge] != EdgeDecision::open || fraction < kReadingError) continue;
+    if (!model_.is_inner(edge) || duals_.decisions[edge] != EdgeDecision::open || fraction < kReadingError) continue;
     const double merit = fraction * model_.side_cost[forward_side(edge)].high;
     if (merit > best_merit) {
       best = edge;

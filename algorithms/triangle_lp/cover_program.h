@@ -19,21 +19,21 @@ namespace mwt {
 /// restriction feasible, and costs so much that it is only used where no cover obeys the decisions.
 class CoverProgram {
  public:
-  /// Begins with `credits` as the dual solution and with `first_columns`.
-  CoverProgram(const CoverModel& model, CoverCredits credits, std::span<const std::uint32_t> first_columns,
+  /// Begins with `dual values` as the dual solution and with `first_columns`.
+  CoverProgram(const CoverModel& model, CoverDuals duals, std::span<const std::uint32_t> first_columns,
                const Deadline& deadline);
 
   /// Forces an inner edge into the covers or out of them, or takes that back.
   void decide(std::uint32_t edge, EdgeDecision decision);
 
   /// Solves the relaxation and returns a certified lower bound on all covers that obey the decisions, in the model's
-  /// unit. Stops as soon as the bound reaches `enough`, and after `most_rounds` programs.
+  /// unit. Stops as soon as the bound reaches `enough`, and after `max_rounds` programs.
   ///
   /// Column generation and the refinement of the dual values are one loop: all columns are priced with certified
   /// arithmetic; violated ones join; then the reduced costs, multiplied so that the worst becomes about -1, are the
-  /// next objective, and its duals improve the credits by that much smaller steps (A. M. Gleixner, D. E. Steffy, K.
+  /// next objective, and its duals improve the dual values by that much smaller steps (A. M. Gleixner, D. E. Steffy, K.
   /// Wolter, "Iterative refinement for linear programming", INFORMS Journal on Computing 28, 2016).
-  [[nodiscard]] double solve(double enough, int most_rounds = std::numeric_limits<int>::max());
+  [[nodiscard]] double solve(double enough, int max_rounds = std::numeric_limits<int>::max());
 
   /// Whether the last solve() ended with a solution; otherwise numerical trouble or the deadline prevented it.
   [[nodiscard]] bool solved() const { return solved_; }
@@ -56,16 +56,16 @@ class CoverProgram {
   int row_of_inner_edge(std::uint32_t edge);
   void update_empty_cover();
   bool optimise(LinearProgram::Method method, double scale);
-  [[nodiscard]] double largest_useful_cost(double scale) const;
+  [[nodiscard]] double max_useful_cost(double scale) const;
   void set_reduced_costs(double scale);
-  void add_duals_to_credits(double scale);
+  void add_program_duals(double scale);
   [[nodiscard]] double primal_value() const;
   [[nodiscard]] std::vector<double> edge_use() const;
 
   const CoverModel& model_;
   Deadline deadline_;
   LinearProgram program_;
-  CoverCredits credits_;
+  CoverDuals duals_;
   CoverPricing pricing_;
   double empty_cover_cost_;
   std::vector<std::uint32_t> active_;    // the candidate of each program column after the empty cover
@@ -73,7 +73,7 @@ class CoverProgram {
   std::vector<int> boundary_row_;        // by side: covered once
   std::vector<int> balance_row_;         // by inner edge: covered as often from the left as from the right
   std::vector<int> decision_row_;        // by inner edge: how often its forward side is covered
-  std::vector<double> decision_credit_;  // by inner edge
+  std::vector<double> decision_dual_;  // by inner edge
   std::uint64_t programs_ = 0;
   bool solved_ = false;
 };

@@ -44,14 +44,14 @@ class CoverSearch {
       : problem_(problem),
         model_(problem),
         best_(known_cover(problem)),
-        credits_(credits_of_cover(model_, problem.points, problem.start)) {}
+        duals_(duals_of_cover(model_, problem.points, problem.start)) {}
 
   TriangleCover run() {
     const double certain =
         total_length(problem_.points, undirected_edges({problem_.boundary.begin(), problem_.boundary.end()})).lower;
     reduce();
     if (lower_ < enough() && !past_deadline()) {
-      program_.emplace(model_, credits_, promising_columns(10), problem_.deadline);
+      program_.emplace(model_, duals_, promising_columns(10), problem_.deadline);
       lower_ = explore(lower_);
       best_.programs += program_->programs();
     }
@@ -78,7 +78,7 @@ class CoverSearch {
 
   // What the best known cover costs at most, or any cover if none is known, in the model's unit.
   [[nodiscard]] double upper() const {
-    return best_.triangles.empty() ? model_.largest_cover_cost : std::ldexp(best_.optimum.upper, -model_.exponent);
+    return best_.triangles.empty() ? model_.max_cover_cost : std::ldexp(best_.optimum.upper, -model_.exponent);
   }
 
   // A lower bound that makes a branch useless.
@@ -109,8 +109,8 @@ class CoverSearch {
     bool shrinking = true;
     while (shrinking && lower_ < enough() && !past_deadline()) {
       const std::size_t before = model_.columns.size();
-      balance_credits(model_, credits_, problem_.deadline);
-      lower_ = std::max(lower_, price(model_, credits_).lower);
+      balance_duals(model_, duals_, problem_.deadline);
+      lower_ = std::max(lower_, price(model_, duals_).lower);
       if (before <= kFew) return;
       find_restricted_covers();
       drop_useless_columns();
@@ -122,7 +122,7 @@ class CoverSearch {
   void find_restricted_covers() {
     constexpr double kNearly = 1e-4;
     for (std::size_t per_triangle = 10; per_triangle <= 80 && !past_deadline(); per_triangle *= 2) {
-      CoverProgram restricted(model_, credits_, promising_columns(per_triangle), problem_.deadline);
+      CoverProgram restricted(model_, duals_, promising_columns(per_triangle), problem_.deadline);
       lower_ = std::max(lower_, restricted.solve(enough(), 1));
       best_.programs += restricted.programs();
       if (!restricted.solved()) return;
@@ -134,9 +134,9 @@ class CoverSearch {
 
   // A cover with column c costs at least what all covers cost plus c's reduced cost.
   void drop_useless_columns() {
-    const double enough_reduced_cost = next_up(upper() - price(model_, credits_).lower);
+    const double enough_reduced_cost = next_up(upper() - price(model_, duals_).lower);
     std::erase_if(model_.columns, [&](const CoverModel::Column& column) {
-      return least_reduced_cost(model_, credits_, column) >= enough_reduced_cost;
+      return min_reduced_cost(model_, duals_, column) >= enough_reduced_cost;
     });
   }
 
@@ -149,7 +149,7 @@ class CoverSearch {
     for (std::uint32_t c = 0; c < model_.columns.size(); ++c) {
       const CoverModel::Column& column = model_.columns[c];
       if (known.contains(column.triangle)) columns.push_back(c);
-      ranked.push_back({reduced_cost(model_, credits_, column) / model_.cost(column), c});
+      ranked.push_back({reduced_cost(model_, duals_, column) / model_.cost(column), c});
     }
     const auto wanted = std::min(std::max(kFew, per_triangle * model_.triangle_count), ranked.size());
     std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
@@ -181,7 +181,7 @@ class CoverSearch {
   const TriangleCoverProblem& problem_;
   CoverModel model_;
   TriangleCover best_;
-  CoverCredits credits_;  // to begin with
+  CoverDuals duals_;  // to begin with
   double lower_ = 0;      // certified, in the model's unit
   bool stopped_ = false;  // by the deadline
   std::optional<CoverProgram> program_;

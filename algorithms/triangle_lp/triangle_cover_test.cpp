@@ -126,24 +126,24 @@ TEST(TriangleCover, IsTheSameOnEveryThread) {
   }
 }
 
-// Whatever the credits, the bound holds.
+// Whatever the dual values, the bound holds.
 TEST(CoverModel, BoundsCoversByArbitraryCredits) {
   const Region region = whole_hull(generate("uniform", 20, 3));
   const double optimum = lightest_triangle_cover(region.problem()).optimum.upper;
   const CoverModel model(region.problem());
   const double unit = std::ldexp(1.0, model.exponent);
   for (int k = 0; k < 50; ++k) {
-    CoverCredits credits{std::vector<double>(model.side_cost.size()),
+    CoverDuals duals{std::vector<double>(model.side_cost.size()),
                          std::vector<EdgeDecision>(model.edges.size(), EdgeDecision::open)};
     for (std::uint32_t edge = 0; edge < model.edges.size(); ++edge) {
-      const double credit = 0.01 * k * std::sin(edge + k);
-      credits.of_side[forward_side(edge)] = model.is_inner(edge) ? credit : std::abs(credit);
-      credits.of_side[backward_side(edge)] = model.is_inner(edge) ? -credit : std::abs(credit);
+      const double dual = 0.01 * k * std::sin(edge + k);
+      duals.of_side[forward_side(edge)] = model.is_inner(edge) ? dual : std::abs(dual);
+      duals.of_side[backward_side(edge)] = model.is_inner(edge) ? -dual : std::abs(dual);
     }
-    const CoverPricing pricing = price(model, credits);
+    const CoverPricing pricing = price(model, duals);
     EXPECT_LE(pricing.lower * unit, optimum);
     for (const CoverModel::Column& column : model.columns) {
-      EXPECT_GE(reduced_cost(model, credits, column), pricing.worst);
+      EXPECT_GE(reduced_cost(model, duals, column), pricing.worst);
     }
   }
 }

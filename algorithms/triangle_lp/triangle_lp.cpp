@@ -60,7 +60,7 @@ AlgorithmInfo triangle_lp_entry() {
   info.time = "a few linear programs of O(n^2) rows; exponential in the worst case";
   info.space = "O(n^3), O(n^2) for uniform points";
   info.exactness = Exactness::exact;
-  info.largest_n = 150;
+  info.max_n = 150;
   info.version = 2;
   info.parameters = {{"max_points", ParameterType::integer, "400", "largest number of points it takes"}};
   info.function = [](Points points, Context& context) { return solve_scaled(points, context, solve_triangle_program); };

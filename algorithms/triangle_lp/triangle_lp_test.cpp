@@ -46,13 +46,13 @@ TEST(TriangleLp, TakesDozensOfPointsOfEveryFamily) {
   for (const GeneratorInfo& family : generators()) {
     if (family.fixed_n != 0 || family.name == "with_duplicates") continue;
     const Index wanted = family.name == "grid" ? 36 : 40;
-    const Index n = family.largest_n == 0 ? wanted : std::min(wanted, family.largest_n);
+    const Index n = family.max_n == 0 ? wanted : std::min(wanted, family.max_n);
     SCOPED_TRACE(family.name);
     (void)solve_to_optimality("triangle_lp", generate(family.name, n, 1));
   }
 }
 
-// The flow through slivers made credits of 1e14 and 1e118 to begin with, in which all costs were lost: the first set
+// The flow through slivers made dual values of 1e14 and 1e118 to begin with, in which all costs were lost: the first set
 // stayed at [6.157, 6.414], the second went round in circles between two linear programs.
 TEST(TriangleLp, ProvesSetsWithSlivers) {
   const std::vector<Point> one_ulp_apart = {{2.0000000000000004, 1},
@@ -110,7 +110,7 @@ TEST(TriangleLp, ObeysTheDeadline) {
 
 TEST(TriangleLpSlow, BoundsAHundredPointsOfEveryFamily) {
   for (const GeneratorInfo& family : generators()) {
-    const bool has_a_hundred = family.fixed_n == 0 && (family.largest_n == 0 || family.largest_n >= 100);
+    const bool has_a_hundred = family.fixed_n == 0 && (family.max_n == 0 || family.max_n >= 100);
     if (!has_a_hundred || family.name == "with_duplicates") continue;
     const auto deadline = Context::Clock::now() + std::chrono::seconds(5);
     const Solution solution = solve_and_check("triangle_lp", generate(family.name, 100, 1), {}, deadline);

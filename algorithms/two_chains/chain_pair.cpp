@@ -29,7 +29,7 @@ bool is_in_convex_position(Points points, std::span<const Index> indices) {
 
 // The smallest count in first .. last for which `holds` does, last + 1 if none; it must not become false again.
 template <class Predicate>
-std::size_t smallest_with(std::size_t first, std::size_t last, const Predicate& holds) {
+std::size_t min_with(std::size_t first, std::size_t last, const Predicate& holds) {
   std::size_t end = last + 1;
   while (first < end) {
     const std::size_t middle = first + (end - first) / 2;
@@ -65,9 +65,9 @@ class ChainPairSearch {
       first.push_back(start);
       return first;
     };
-    const std::size_t smallest = smallest_with(
+    const std::size_t smallest = min_with(
         2, all.size() - 1, [&](std::size_t size) { return is_in_convex_position(points_, first_of(size)); });
-    const std::size_t beyond = smallest_with(
+    const std::size_t beyond = min_with(
         2, all.size() - 1, [&](std::size_t size) { return !is_in_convex_position(points_, all.first(size)); });
     for (std::size_t size = smallest; size < beyond; ++size) {
       ChainPair pair{chain_from(start, first_of(size)), chain_from(other_start, all.first(size))};

@@ -86,15 +86,15 @@ PolygonTriangulation triangulated(Points points, const std::vector<Index>& cycle
     for (std::size_t i = 1; i < own.size(); ++i) along_the_line.add(own[i - 1], own[i]);
     return {{}, along_the_line.enclosure()};
   }
-  if (cycle.size() > kLargestPolygon) return bounded_greedily(points, cycle);
+  if (cycle.size() > kMaxPolygon) return bounded_greedily(points, cycle);
   return triangulate_polygon(points, cycle, PolygonObjective::edges);
 }
 
 ChainPair require_pair(Points points) {
   std::optional<ChainPair> pair = find_chain_pair(points);
   if (!pair) throw NotApplicable("two_chains takes two reflex chains that face each other, with 4 points on the hull");
-  if (std::uint64_t{pair->first.size()} * pair->second.size() > kMostCorridorEdges) {
-    throw NotApplicable("two_chains takes chains with at most " + std::to_string(kMostCorridorEdges) +
+  if (std::uint64_t{pair->first.size()} * pair->second.size() > kMaxCorridorEdges) {
+    throw NotApplicable("two_chains takes chains with at most " + std::to_string(kMaxCorridorEdges) +
                         " edges between them");
   }
   return *std::move(pair);
@@ -147,7 +147,7 @@ AlgorithmInfo two_chains_entry() {
   info.time = "O(r^3 + s^3) for chains of r and s points";
   info.space = "O(r^2 + s^2)";
   info.exactness = Exactness::exact;
-  info.largest_n = 200'000;
+  info.max_n = 200'000;
   info.version = 2;
   info.function = solve_at_any_size;
   return info;

@@ -23,10 +23,10 @@ struct Corridor {
 /// above: together a minimum weight triangulation, because the chains' edges are in every triangulation (chain_pair.h).
 ///
 /// NotApplicable unless the points are such a pair, decided exactly, or if the chains' lengths multiply to more than
-/// kMostCorridorEdges. A chain of more than kLargestPolygon points is triangulated greedily and bounded from below by
+/// kMaxCorridorEdges. A chain of more than kMaxPolygon points is triangulated greedily and bounded from below by
 /// its boundary: the optimum is then an interval. Ignores the deadline. Deterministic.
 [[nodiscard]] AlgorithmInfo two_chains_entry();
 
-inline constexpr std::uint64_t kMostCorridorEdges = std::uint64_t{1} << 32;
+inline constexpr std::uint64_t kMaxCorridorEdges = std::uint64_t{1} << 32;
 
 }  // namespace mwt

@@ -14,7 +14,7 @@ GeneratorInfo annulus_entry() {
           .source = "a standard random model",
           .stresses = "a large empty face inside: long edges that no point shortens, for exact solvers and patch",
           .law = "none known",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {{"inner", ParameterType::real, "0.9", "inner radius, the outer being 1; 0 to .999999"}},
           .function = [](Index n, std::uint64_t seed, const Parameters& parameters) {
             return annulus_points(n, seed, real_within("annulus", parameters, "inner", 0, .999999));

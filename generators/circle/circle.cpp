@@ -10,7 +10,7 @@ GeneratorInfo circle_entry() {
           .source = "classical; Catalan numbers count its triangulations",
           .stresses = "claim C11, the polygon programs and near-ties: equal lengths up to the last bit",
           .law = "optimum by the polygon program; greedy stays within 1.04; C(n - 2) triangulations",
-          .largest_n = kLargestRegularPolygon,
+          .max_n = kMaxRegularPolygon,
           .seeded = false,
           .parameters = {},
           .function = [](Index n, std::uint64_t, const Parameters&) { return regular_polygon(n); }};

@@ -42,7 +42,7 @@ TEST(Circle, sides_are_equal_to_the_last_bits) {
 
 // The bound in the header leaves a factor of ten here; neighbours at the steepest and at the flattest places.
 TEST(Circle, is_strictly_convex_at_its_largest_n) {
-  constexpr Index kN = kLargestRegularPolygon;
+  constexpr Index kN = kMaxRegularPolygon;
   for (const Index start : {0U, kN / 8, kN / 4 - 500, kN / 3, kN / 2}) {
     for (Index i = start; i < start + 1000; ++i) {
       EXPECT_GT(orientation(unit_circle_point(i, kN), unit_circle_point(i + 1, kN), unit_circle_point(i + 2, kN)), 0);

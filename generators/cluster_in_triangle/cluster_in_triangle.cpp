@@ -12,16 +12,16 @@ GeneratorInfo cluster_in_triangle_entry() {
           .source = "made for this project",
           .stresses = "hull_insertion (claim C6): sparse hull, dense inside",
           .law = "alpha of hull_insertion grows like sqrt n (1.53 at n = 16, 24 at 4096); optimum by exact",
-          .smallest_n = 4,
-          .largest_n = kMostPoints,
+          .min_n = 4,
+          .max_n = kMaxPoints,
           .parameters = {{"side", ParameterType::real, "0.0001", "side of the square of the cluster, 1e-12 to 1"}},
           .growth_laws = {{.algorithm = "hull_insertion",
                            .algorithm_parameters = {},
                            .parameters = {},
                            .lowest = .45,
                            .highest = .6,
-                           .smallest_n = 256,
-                           .largest_n = 4096}},
+                           .min_n = 256,
+                           .max_n = 4096}},
           .function = [](Index n, std::uint64_t seed, const Parameters& parameters) {
             const double side = real_within("cluster_in_triangle", parameters, "side", 1e-12, 1);
             return cluster_in_triangle_points(n, seed, side);

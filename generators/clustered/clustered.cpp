@@ -46,7 +46,7 @@ GeneratorInfo clustered_entry() {
           .source = "the common clustered test model, as in Bentley's and in the DIMACS challenges' instances",
           .stresses = "claims C4 and C6 on uneven input: Delaunay's and insertion's long edges between clusters",
           .law = "none known; greedy reaches 1.03 at n=10, Delaunay 1.03 to 1.05",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {{"clusters", ParameterType::integer, "5", "number of clusters, at least 1"},
                          {"sigma", ParameterType::real, "0.05",
                           "standard deviation of a cluster (elliptic: their mean over its axes), above 0"},

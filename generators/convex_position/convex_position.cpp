@@ -13,14 +13,14 @@ GeneratorInfo convex_position_entry() {
           .source = "a standard random model",
           .stresses = "the polygon programs on uneven polygons; greedy and Delaunay without interior points",
           .law = "optimum by polygon_dp",
-          .largest_n = kLargestConvexPosition,
+          .max_n = kMaxConvexPosition,
           .parameters = {},
           .function = [](Index n, std::uint64_t seed, const Parameters&) { return convex_position_points(n, seed); }};
 }
 
 std::vector<Point> convex_position_points(Index n, std::uint64_t seed) {
   constexpr std::uint64_t kPlaces = std::uint64_t{1} << 26;
-  static_assert(kPlaces <= kLargestRegularPolygon);
+  static_assert(kPlaces <= kMaxRegularPolygon);
   RandomEngine engine = make_engine("convex_position", seed);
   return draw_distinct_points("convex_position", n,
                               [&](Index) { return unit_circle_point(uniform_below(engine, kPlaces), kPlaces); });

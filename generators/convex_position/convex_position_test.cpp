@@ -19,7 +19,7 @@ TEST(ConvexPosition, points_are_in_strictly_convex_position) {
 }
 
 TEST(ConvexPositionSlow, points_are_in_strictly_convex_position_at_the_largest_n) {
-  EXPECT_TRUE(is_in_strictly_convex_position(convex_position_points(kLargestConvexPosition, 1)));
+  EXPECT_TRUE(is_in_strictly_convex_position(convex_position_points(kMaxConvexPosition, 1)));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 std::vector<Point> delaunay_arc(Index n, std::uint64_t, const Parameters& parameters) {
   const bool is_integer = parameters.text("coordinates") == "integer";
-  require_size("delaunay_arc", n, 4, is_integer ? kLargestIntegerArc : kLargestArc);
+  require_size("delaunay_arc", n, 4, is_integer ? kMaxIntegerArc : kMaxArc);
   return is_integer ? integer_delaunay_arc_points(n) : delaunay_arc_points(n);
 }
 
@@ -19,8 +19,8 @@ GrowthLaw linear_growth(const std::string& coordinates) {
           .parameters = {{"coordinates", coordinates}},
           .lowest = .95,
           .highest = 1.05,
-          .smallest_n = 256,
-          .largest_n = 4096};
+          .min_n = 256,
+          .max_n = 4096};
 }
 
 }  // namespace
@@ -31,8 +31,8 @@ GeneratorInfo delaunay_arc_entry() {
           .source = "Kirkpatrick, IPL 10 (1980), for the lower bound; the set was made for this project",
           .stresses = "delaunay, in convex position",
           .law = "alpha of delaunay grows like n (7.15 at n = 16, 459 at 1024); optimum by polygon_dp",
-          .smallest_n = 4,
-          .largest_n = kLargestArc,
+          .min_n = 4,
+          .max_n = kMaxArc,
           .seeded = false,
           .parameters = {{"coordinates",
                           ParameterType::choice,

@@ -16,10 +16,10 @@ TEST(DelaunayArc, points_are_the_recorded_ones) {
 }
 
 TEST(DelaunayArc, points_are_in_strictly_convex_position_up_to_the_largest_n) {
-  for (const Index n : {4U, 5U, 6U, 100U, 1001U, kLargestArc}) {
+  for (const Index n : {4U, 5U, 6U, 100U, 1001U, kMaxArc}) {
     EXPECT_TRUE(is_in_strictly_convex_position(delaunay_arc_points(n))) << n;
   }
-  for (const Index n : {4U, 5U, 6U, 100U, 1001U, kLargestIntegerArc}) {
+  for (const Index n : {4U, 5U, 6U, 100U, 1001U, kMaxIntegerArc}) {
     EXPECT_TRUE(is_in_strictly_convex_position(integer_delaunay_arc_points(n))) << n;
   }
 }
@@ -43,12 +43,12 @@ TEST(DelaunayArc, the_fan_is_delaunay) {
 }
 
 TEST(DelaunayArcSlow, the_fan_is_delaunay_at_the_largest_n) {
-  expect_fan_from_last(delaunay_arc_points(kLargestArc));
-  expect_fan_from_last(integer_delaunay_arc_points(kLargestIntegerArc));
+  expect_fan_from_last(delaunay_arc_points(kMaxArc));
+  expect_fan_from_last(integer_delaunay_arc_points(kMaxIntegerArc));
 }
 
 TEST(DelaunayArc, integers_are_exact_and_the_limit_is_told) {
-  for (const Point& p : integer_delaunay_arc_points(kLargestIntegerArc)) {
+  for (const Point& p : integer_delaunay_arc_points(kMaxIntegerArc)) {
     EXPECT_TRUE(p.x == std::floor(p.x) && p.y == std::floor(p.y) && p.x <= 0x1p53);
   }
   EXPECT_NE(refusal("delaunay_arc", 300'000, {{"coordinates", "integer"}}).find("nearest legal n is 262146"),

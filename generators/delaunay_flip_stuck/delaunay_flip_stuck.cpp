@@ -12,8 +12,8 @@ GrowthLaw linear_growth(const std::string& algorithm) {
           .parameters = {},
           .lowest = .95,
           .highest = 1.05,
-          .smallest_n = 256,
-          .largest_n = 4096};
+          .min_n = 256,
+          .max_n = 4096};
 }
 
 Point circumcentre(const Point& a, const Point& b, const Point& c) {
@@ -42,8 +42,8 @@ GeneratorInfo delaunay_flip_stuck_entry() {
           .source = "made for this project, after Kirkpatrick, IPL 10 (1980)",
           .stresses = "delaunay, and flip from its default start; greedy solves it",
           .law = "alpha of delaunay and of flip grows like n (3.89 at n = 16, 267 at 1024)",
-          .smallest_n = 6,
-          .largest_n = kLargestDelaunayFlipStuck,
+          .min_n = 6,
+          .max_n = kMaxDelaunayFlipStuck,
           .seeded = false,
           .parameters = {},
           .growth_laws = {linear_growth("delaunay"), linear_growth("flip")},

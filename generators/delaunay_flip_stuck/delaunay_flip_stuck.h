@@ -17,10 +17,10 @@ GeneratorInfo delaunay_flip_stuck_entry();
 /// Why it is bad: that circle passes just above w_0, so the Delaunay triangulation has the edge v w_1, which cuts the
 /// p_i off from w_0 and makes them reach for the far w_1; the quadrilaterals in the way are not convex or would only
 /// get longer diagonals, so flips do not help. The optimum joins the p_i to w_0: alpha of order n. Greedy finds it.
-/// Precondition: 6 <= n <= kLargestDelaunayFlipStuck. Correctly rounded operations only: the same on every platform.
+/// Precondition: 6 <= n <= kMaxDelaunayFlipStuck. Correctly rounded operations only: the same on every platform.
 /// O(n).
 [[nodiscard]] std::vector<Point> delaunay_flip_stuck_points(Index n);
 
-inline constexpr Index kLargestDelaunayFlipStuck = 200'000;
+inline constexpr Index kMaxDelaunayFlipStuck = 200'000;
 
 }  // namespace mwt

@@ -13,8 +13,8 @@ GrowthLaw zigzag_growth(const std::string& algorithm, const std::string& aspect)
           .parameters = {{"aspect", aspect}},
           .lowest = .7,
           .highest = .95,
-          .smallest_n = 256,
-          .largest_n = 4096};
+          .min_n = 256,
+          .max_n = 4096};
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ GeneratorInfo ellipse_entry() {
       .law =
           "alpha of delaunay and of flip grows like n / log n (10.7 at n = 1024; 22.7 for an aspect near 1); optimum "
           "by polygon_dp",
-      .largest_n = kLargestEllipse,
+      .max_n = kMaxEllipse,
       .seeded = false,
       .parameters = {{"aspect", ParameterType::real, "0.3", "short axis over long axis, 0.000001 to 1"}},
       .growth_laws = {zigzag_growth("delaunay", "0.3"), zigzag_growth("flip", "0.3"), zigzag_growth("flip", "0.999")},

@@ -18,10 +18,10 @@ GeneratorInfo ellipse_entry();
 /// equally near, so that no four points are cocircular). A flip would turn such a chord into one of the same number of
 /// steps and a direction farther from the axis, which is longer: the zigzag is also a local optimum of flips, while
 /// the optimum cuts corners. With the aspect near 1 this is the zigzag of the regular polygon.
-/// Precondition: 3 <= n <= kLargestEllipse, 2^-20 <= aspect <= 1. The same on every platform. O(n).
+/// Precondition: 3 <= n <= kMaxEllipse, 2^-20 <= aspect <= 1. The same on every platform. O(n).
 [[nodiscard]] std::vector<Point> ellipse_points(Index n, double aspect);
 
 /// Multiplying by the aspect adds one rounding to those of regular_polygon(), whose bound leaves more than that.
-inline constexpr Index kLargestEllipse = 10'000'000;
+inline constexpr Index kMaxEllipse = 10'000'000;
 
 }  // namespace mwt

@@ -21,7 +21,7 @@ TEST(Ellipse, points_are_in_strictly_convex_position) {
 }
 
 TEST(EllipseSlow, points_are_in_strictly_convex_position_at_the_largest_n) {
-  EXPECT_TRUE(is_in_strictly_convex_position(ellipse_points(kLargestEllipse, .3)));
+  EXPECT_TRUE(is_in_strictly_convex_position(ellipse_points(kMaxEllipse, .3)));
 }
 
 // The vertices that the zigzag visits: 0, -1, 1, -2, 2, .. from the rightmost on.

@@ -10,7 +10,7 @@ GeneratorInfo fan_entry() {
           .source = "classical degenerate input",
           .stresses = "collinear hull points and counts; every correct algorithm has alpha 1",
           .law = "optimum (n - 2) + sum over i = 0 .. n - 2 of sqrt((i - floor(n / 2))^2 + 1); one triangulation",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .seeded = false,
           .parameters = {},
           .function = [](Index n, std::uint64_t, const Parameters&) { return fan_points(n); }};

@@ -13,11 +13,11 @@ namespace mwt {
 namespace {
 
 // Beyond it, a side of the unit square holds fewer than two doubles.
-constexpr double kLargestOffset = 0x1p51;
+constexpr double kMaxOffset = 0x1p51;
 
 std::vector<Point> far_from_origin(Index n, std::uint64_t seed, const Parameters& parameters) {
-  const double offset = real_within("far_from_origin", parameters, "offset", -kLargestOffset, kLargestOffset);
-  require_size("far_from_origin", n, 3, std::min<std::uint64_t>(largest_far_from_origin(offset), kMostPoints));
+  const double offset = real_within("far_from_origin", parameters, "offset", -kMaxOffset, kMaxOffset);
+  require_size("far_from_origin", n, 3, std::min<std::uint64_t>(max_far_from_origin(offset), kMaxPoints));
   return far_from_origin_points(n, seed, offset);
 }
 
@@ -30,13 +30,13 @@ GeneratorInfo far_from_origin_entry() {
       .source = "geographic coordinates in metres; classical input for predicates",
       .stresses = "cancellation in predicates and lengths; at large offsets a coarse lattice with ties",
       .law = "that of uniform while the offset is far below 2^52",
-      .largest_n = kMostPoints,
+      .max_n = kMaxPoints,
       .parameters = {{"offset", ParameterType::real, "1e6",
                       "lower left corner of the square is (offset, offset), at most 2^51 from 0; large ones limit n"}},
       .function = far_from_origin};
 }
 
-std::uint64_t largest_far_from_origin(double offset) {
+std::uint64_t max_far_from_origin(double offset) {
   const double farthest = std::max(std::abs(offset), std::abs(offset + 1));
   const double spacing = farthest - std::nextafter(farthest, 0.0);
   const double per_side = std::min(1 / spacing, 0x1p31);

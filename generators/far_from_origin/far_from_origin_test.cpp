@@ -27,9 +27,9 @@ TEST(FarFromOrigin, what_rounding_merges_is_drawn_again) {
 }
 
 TEST(FarFromOrigin, n_is_limited_by_the_doubles_in_the_square) {
-  EXPECT_EQ(largest_far_from_origin(1e14), 4096U);
-  EXPECT_EQ(largest_far_from_origin(0x1p51), 4U);
-  EXPECT_EQ(largest_far_from_origin(0), std::uint64_t{1} << 62) << "more than anybody can ask for";
+  EXPECT_EQ(max_far_from_origin(1e14), 4096U);
+  EXPECT_EQ(max_far_from_origin(0x1p51), 4U);
+  EXPECT_EQ(max_far_from_origin(0), std::uint64_t{1} << 62) << "more than anybody can ask for";
   EXPECT_NE(refusal("far_from_origin", 4097, {{"offset", "1e14"}}).find("nearest legal n is 4096"), std::string::npos);
   EXPECT_EQ(refusal("far_from_origin", 4, {{"offset", "2251799813685248"}}), "");
   EXPECT_NE(refusal("far_from_origin", 3, {{"offset", "1e16"}}).find("offset=1e+16"), std::string::npos);

@@ -10,8 +10,8 @@ GeneratorInfo flip_corridor_entry() {
           .source = "made for this project",
           .stresses = "flips that start from a sweep; greedy solves it",
           .law = "alpha of flip with start=sweep grows like n (3.10 at n = 16, 194 at 1024); optimum by two_chains",
-          .smallest_n = 6,
-          .largest_n = kLargestFlipCorridor,
+          .min_n = 6,
+          .max_n = kMaxFlipCorridor,
           .seeded = false,
           .parameters = {},
           .growth_laws = {{.algorithm = "flip",
@@ -19,8 +19,8 @@ GeneratorInfo flip_corridor_entry() {
                            .parameters = {},
                            .lowest = .95,
                            .highest = 1.05,
-                           .smallest_n = 256,
-                           .largest_n = 4096}},
+                           .min_n = 256,
+                           .max_n = 4096}},
           .function = [](Index n, std::uint64_t, const Parameters&) { return flip_corridor_points(n); }};
 }
 

@@ -16,10 +16,10 @@ GeneratorInfo flip_corridor_entry();
 /// Why it is bad: the sweep joins every p_i to w_2, at distance k; flips shorten a few edges but the fan is locally
 /// optimal, because each of its quadrilaterals has its shorter diagonal or is not convex. The optimum joins the p_i to
 /// w_0 and has O(1) edges of length k: alpha of order n.
-/// Precondition: 6 <= n <= kLargestFlipCorridor. Correctly rounded operations only. O(n).
+/// Precondition: 6 <= n <= kMaxFlipCorridor. Correctly rounded operations only. O(n).
 [[nodiscard]] std::vector<Point> flip_corridor_points(Index n);
 
 /// As for the standard corridor.
-inline constexpr Index kLargestFlipCorridor = 200'000;
+inline constexpr Index kMaxFlipCorridor = 200'000;
 
 }  // namespace mwt

@@ -12,7 +12,7 @@ TEST(FlipCorridor, points_are_the_recorded_ones) {
 }
 
 TEST(FlipCorridor, both_chains_are_strictly_convex_up_to_the_largest_n) {
-  for (const Index n : {6U, 7U, 100U, 4096U, kLargestFlipCorridor}) {
+  for (const Index n : {6U, 7U, 100U, 4096U, kMaxFlipCorridor}) {
     const std::vector<Point> points = flip_corridor_points(n);
     ASSERT_EQ(points.size(), n);
     EXPECT_TRUE(turns_everywhere({points.begin(), points.end() - 3}, 1)) << n;

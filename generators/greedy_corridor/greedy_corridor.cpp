@@ -10,7 +10,7 @@ namespace {
 
 std::vector<Point> greedy_corridor(Index n, std::uint64_t, const Parameters& parameters) {
   const bool sharp = parameters.text("shape") == "sharp";
-  require_size("greedy_corridor", n, 5, sharp ? kLargestSharpCorridor : kLargestStandardCorridor);
+  require_size("greedy_corridor", n, 5, sharp ? kMaxSharpCorridor : kMaxStandardCorridor);
   const CorridorShape shape = sharp ? sharp_corridor() : standard_corridor();
   const Index m = corridor_length(shape, n);
   return corridor_points(shape, n - 2 - m, m);
@@ -28,8 +28,8 @@ GrowthLaw root_growth(const std::string& algorithm, const std::string& start, co
           .parameters = {{"shape", shape}},
           .lowest = .5,
           .highest = .56,
-          .smallest_n = 256,
-          .largest_n = 4096};
+          .min_n = 256,
+          .max_n = 4096};
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ GeneratorInfo greedy_corridor_entry() {
           .source = "Levcopoulos, IPL 25 (1987), for the lower bound; the set was made for this project",
           .stresses = "greedy and greedy followed by flips (claims C4 and C5)",
           .law = "alpha of greedy grows like sqrt n (1.85 at n = 16, 37.1 at 4096); optimum by a two-chain program",
-          .smallest_n = 5,
-          .largest_n = kLargestStandardCorridor,
+          .min_n = 5,
+          .max_n = kMaxStandardCorridor,
           .seeded = false,
           .parameters = {{"shape",
                           ParameterType::choice,

@@ -48,7 +48,7 @@ struct CorridorShape {
 /// Largest n whose rounded chains are strictly convex. Along the p_i the second difference of y is
 /// (slope_end - slope_start) sigma / (k - 1)^2, and rounding changes it by at most 4 units of 2^-55 (standard) or 2^-57
 /// (sharp), which is less up to these n.
-inline constexpr Index kLargestStandardCorridor = 200'000;
-inline constexpr Index kLargestSharpCorridor = 150'000;
+inline constexpr Index kMaxStandardCorridor = 200'000;
+inline constexpr Index kMaxSharpCorridor = 150'000;
 
 }  // namespace mwt

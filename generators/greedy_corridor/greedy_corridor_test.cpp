@@ -47,10 +47,10 @@ TEST(GreedyCorridor, chains_are_strictly_convex_and_face_each_other) {
 }
 
 TEST(GreedyCorridor, chains_are_strictly_convex_at_the_largest_n) {
-  EXPECT_TRUE(is_strictly_concave(corridor_with(standard_corridor(), kLargestStandardCorridor).left));
-  EXPECT_TRUE(is_strictly_concave(corridor_with(standard_corridor(), kLargestStandardCorridor).right));
-  EXPECT_TRUE(is_strictly_concave(corridor_with(sharp_corridor(), kLargestSharpCorridor).left));
-  EXPECT_TRUE(is_strictly_concave(corridor_with(sharp_corridor(), kLargestSharpCorridor).right));
+  EXPECT_TRUE(is_strictly_concave(corridor_with(standard_corridor(), kMaxStandardCorridor).left));
+  EXPECT_TRUE(is_strictly_concave(corridor_with(standard_corridor(), kMaxStandardCorridor).right));
+  EXPECT_TRUE(is_strictly_concave(corridor_with(sharp_corridor(), kMaxSharpCorridor).left));
+  EXPECT_TRUE(is_strictly_concave(corridor_with(sharp_corridor(), kMaxSharpCorridor).right));
 }
 
 // The trap: greedy prefers v's edges to all that would stop them.

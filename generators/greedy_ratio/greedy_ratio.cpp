@@ -16,8 +16,8 @@ GrowthLaw tends_to(double alpha, const std::string& text) {
           .kind = GrowthLaw::Kind::range,
           .lowest = .99 * alpha,
           .highest = 1.01 * alpha,
-          .smallest_n = 2000,
-          .largest_n = 2000};
+          .min_n = 2000,
+          .max_n = 2000};
 }
 
 }  // namespace
@@ -28,8 +28,8 @@ GeneratorInfo greedy_ratio_entry() {
           .source = "made for this project, after Levcopoulos, IPL 25 (1987)",
           .stresses = "greedy (claim C4: every alpha in 1.1-1.5 occurs, on inputs built for it)",
           .law = "alpha of greedy tends to the parameter alpha from below; optimum by two_chains",
-          .smallest_n = 5,
-          .largest_n = kLargestGreedyRatio,
+          .min_n = 5,
+          .max_n = kMaxGreedyRatio,
           .seeded = false,
           .parameters = {{"alpha", ParameterType::real, "1.3", "what greedy's alpha tends to, 1.001 to 1.5"}},
           .growth_laws = {tends_to(1.1, "1.1"), tends_to(1.2, "1.2"), tends_to(1.3, "1.3"), tends_to(1.4, "1.4"),

@@ -23,6 +23,6 @@ GeneratorInfo greedy_ratio_entry();
 [[nodiscard]] std::vector<Point> greedy_ratio_points(Index n, double alpha);
 
 /// Largest n whose rounded chain is strictly convex: as for the standard corridor, but slope_end - slope_start is .01.
-inline constexpr Index kLargestGreedyRatio = 100'000;
+inline constexpr Index kMaxGreedyRatio = 100'000;
 
 }  // namespace mwt

@@ -22,7 +22,7 @@ std::vector<Point> left_chain(Index n, double alpha) {
 
 TEST(GreedyRatio, the_chain_is_strictly_convex_up_to_the_largest_n) {
   for (const double alpha : {1.001, 1.1, 1.3, 1.5}) {
-    for (const Index n : {5U, 6U, 100U, 4096U, kLargestGreedyRatio}) {
+    for (const Index n : {5U, 6U, 100U, 4096U, kMaxGreedyRatio}) {
       EXPECT_TRUE(turns_everywhere(left_chain(n, alpha), -1)) << alpha << ' ' << n;
     }
   }

@@ -28,7 +28,7 @@ GeneratorInfo grid_entry() {
           .law =
               "optimum 2 g (g - 1) + sqrt(2) (g - 1)^2 for n = g * g (5 times that with tilt=exact); greedy and "
               "Delaunay reach it",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .seeded = false,
           .parameters = {{"tilt",
                           ParameterType::choice,

@@ -14,7 +14,7 @@ GeneratorInfo hexagonal_lattice_entry() {
       .source = "classical: the densest packing's centres",
       .stresses = "near-ties everywhere: all short edges are equal up to their last bits, all rows collinear",
       .law = "every edge of length 1 but for the hull's left and right sides: greedy and Delaunay are optimal inside",
-      .largest_n = kMostPoints,
+      .max_n = kMaxPoints,
       .seeded = false,
       .parameters = {},
       .function = [](Index n, std::uint64_t, const Parameters&) { return hexagonal_lattice_points(n); }};

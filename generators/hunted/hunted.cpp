@@ -34,8 +34,8 @@ std::vector<GrowthLaw> laws() {
                     .kind = GrowthLaw::Kind::range,
                     .lowest = instance.alpha * (1 - kTolerance),
                     .highest = instance.alpha * (1 + kTolerance),
-                    .smallest_n = n,
-                    .largest_n = n});
+                    .min_n = n,
+                    .max_n = n});
   }
   return laws;
 }
@@ -48,8 +48,8 @@ GeneratorInfo hunted_entry() {
           .source = "found for this project by hill climbing on coordinates (mwt hunt)",
           .stresses = "the algorithm that the parameter names",
           .law = "alpha as it was found, the largest known at these sizes: see the growth laws",
-          .smallest_n = 8,
-          .largest_n = 20,
+          .min_n = 8,
+          .max_n = 20,
           .seeded = false,
           .parameters = {{"algorithm",
                           ParameterType::choice,

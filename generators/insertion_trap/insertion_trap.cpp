@@ -10,8 +10,8 @@ GeneratorInfo insertion_trap_entry() {
           .source = "made for this project",
           .stresses = "hull_insertion (claims C6 and C8)",
           .law = "alpha of hull_insertion grows like n (2.29 at n = 16, 126 at 1024); optimum by exact",
-          .smallest_n = 7,
-          .largest_n = kLargestInsertionTrap,
+          .min_n = 7,
+          .max_n = kMaxInsertionTrap,
           .seeded = false,
           .parameters = {},
           .growth_laws = {{.algorithm = "hull_insertion",
@@ -19,8 +19,8 @@ GeneratorInfo insertion_trap_entry() {
                            .parameters = {},
                            .lowest = .95,
                            .highest = 1.05,
-                           .smallest_n = 128,
-                           .largest_n = 4096}},
+                           .min_n = 128,
+                           .max_n = 4096}},
           .function = [](Index n, std::uint64_t, const Parameters&) { return insertion_trap_points(n); }};
 }
 

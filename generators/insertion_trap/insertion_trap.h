@@ -16,10 +16,10 @@ GeneratorInfo insertion_trap_entry();
 /// Why it is bad: all triangles between the circle's points are empty, so every insertion splits a triangle with a far
 /// corner and adds an edge of length about 2; the three points that would keep the polygon to itself come last, and in
 /// random order they help only what comes after them. The optimum is O(1): alpha of order n.
-/// Precondition: 7 <= n <= kLargestInsertionTrap. The same on every platform (scaling by 2^-20 is exact). O(n).
+/// Precondition: 7 <= n <= kMaxInsertionTrap. The same on every platform (scaling by 2^-20 is exact). O(n).
 [[nodiscard]] std::vector<Point> insertion_trap_points(Index n);
 
 /// As for the regular polygon (circle.h), with angles of a quarter step.
-inline constexpr Index kLargestInsertionTrap = 10'000'000;
+inline constexpr Index kMaxInsertionTrap = 10'000'000;
 
 }  // namespace mwt

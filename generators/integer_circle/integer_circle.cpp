@@ -25,7 +25,7 @@ constexpr Circle kCircles[] = {{5, 8},
                                {1215306625, 512},
                                {64411251125, 1024},
                                {3929086318625, 2048},
-                               {51078122142125, kLargestIntegerCircle}};
+                               {51078122142125, kMaxIntegerCircle}};
 
 // All integer points on a circle. One octant is walked with a falling y; neither axes nor diagonals hold a point.
 std::vector<Point> points_on(const Circle& circle) {
@@ -48,7 +48,7 @@ GeneratorInfo integer_circle_entry() {
           .source = "sums of two squares (Jacobi 1829)",
           .stresses = "exact cocircular ties: every triangulation is Delaunay; convex position",
           .law = "optimum by the polygon program; C(n - 2) triangulations; Delaunay's alpha is up to its tie-breaking",
-          .largest_n = kLargestIntegerCircle,
+          .max_n = kMaxIntegerCircle,
           .parameters = {},
           .function = [](Index n, std::uint64_t seed, const Parameters&) { return integer_circle_points(n, seed); }};
 }

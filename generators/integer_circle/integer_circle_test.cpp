@@ -18,7 +18,7 @@ TEST(IntegerCircle, points_are_the_recorded_ones) {
 }
 
 TEST(IntegerCircle, points_are_integer_and_exactly_cocircular) {
-  for (const Index n : {3U, 8U, 9U, 64U, 100U, 1000U, kLargestIntegerCircle}) {
+  for (const Index n : {3U, 8U, 9U, 64U, 100U, 1000U, kMaxIntegerCircle}) {
     const std::vector<Point> points = integer_circle_points(n, 1);
     ASSERT_EQ(points.size(), n);
     std::set<std::int64_t> squared_radii;

@@ -9,12 +9,12 @@ namespace mwt {
 
 namespace {
 
-constexpr std::int64_t kLargestRange = 1'000'000'000;
+constexpr std::int64_t kMaxRange = 1'000'000'000;
 
 std::vector<Point> integer_uniform(Index n, std::uint64_t seed, const Parameters& parameters) {
   const bool automatic = parameters.integer("range") == 0;
   const std::int64_t range = automatic ? 2 * std::int64_t{ceiling_square_root(n)}
-                                       : integer_within("integer_uniform", parameters, "range", 2, kLargestRange);
+                                       : integer_within("integer_uniform", parameters, "range", 2, kMaxRange);
   const auto side = static_cast<std::uint64_t>(range);
   require_size("integer_uniform", n, 3, side * side);
   return integer_uniform_points(n, seed, side);
@@ -28,7 +28,7 @@ GeneratorInfo integer_uniform_entry() {
           .source = "classical degenerate input",
           .stresses = "many collinear triples, equal lengths and cocircular quadruples without the grid's regularity",
           .law = "none known",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {{"range", ParameterType::integer, "0",
                           "coordinates are 0 .. range - 1, range at least 2; 0: twice ceil(sqrt n)"}},
           .function = integer_uniform};

@@ -21,7 +21,7 @@ GeneratorInfo jittered_grid_entry() {
           .source = "the usual model of scattered but even samples (jittered sampling, Cook 1986)",
           .stresses = "near-ties: quadruples that are nearly cocircular, hull points that are nearly collinear",
           .law = "w(T*) tends to that of the grid as jitter tends to 0",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {{"jitter", ParameterType::real, "0.5",
                           "side of the square that a point is moved in, in cells, 0 to 1000"}},
           .function = jittered_grid};

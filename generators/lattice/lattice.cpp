@@ -33,7 +33,7 @@ GeneratorInfo lattice_entry() {
           .source = "drill-hole boards and sampled rasters; the degenerate sets on which LMT tests fail",
           .stresses = "exact ties together with empty regions: strictness of convexity, flips and diamond tests",
           .law = "none known; the grid's optimum when holes=0 and n is a square",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {{"holes", ParameterType::real, "0.1", "share of the lattice that is left out, 0 to .99"}},
           .function = lattice};
 }

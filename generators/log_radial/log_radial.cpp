@@ -14,7 +14,7 @@ GeneratorInfo log_radial_entry() {
           .source = "a standard model of extreme density gradients",
           .stresses = "quadtree (depth grows with the spread, not with n) and exact predicates at all scales",
           .law = "none known",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {{"octaves", ParameterType::integer, "20", "powers of two that distances span, 1 to 1000"}},
           .function = [](Index n, std::uint64_t seed, const Parameters& parameters) {
             const auto octaves = integer_within("log_radial", parameters, "octaves", 1, 1000);

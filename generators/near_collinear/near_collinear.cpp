@@ -20,7 +20,7 @@ GeneratorInfo near_collinear_entry() {
           .source = "classical near-degenerate input for predicates",
           .stresses = "exactness: orientations that plain doubles get wrong, triangles of hardly any area",
           .law = "none known",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {{"height", ParameterType::real, "1e-12", "height of the strip of length 1, above 0"}},
           .function = near_collinear};
 }

@@ -12,7 +12,7 @@ GeneratorInfo normal_entry() {
           .source = "the standard random model",
           .stresses = "uneven density: long edges outside, short ones inside; few points on the hull",
           .law = "none known",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {},
           .function = [](Index n, std::uint64_t seed, const Parameters&) { return normal_points(n, seed); }};
 }

@@ -10,7 +10,7 @@ GeneratorInfo parabola_entry() {
           .source = "classical; the lift of collinear points",
           .stresses = "delaunay: a natural convex set on which its alpha grows",
           .law = "alpha of delaunay grows like n / log n (2.08 at n = 32, 31.9 at 1024); optimum by polygon_dp",
-          .largest_n = kLargestParabola,
+          .max_n = kMaxParabola,
           .seeded = false,
           .parameters = {},
           .growth_laws = {{.algorithm = "delaunay",
@@ -18,8 +18,8 @@ GeneratorInfo parabola_entry() {
                            .parameters = {},
                            .lowest = .75,
                            .highest = .95,
-                           .smallest_n = 256,
-                           .largest_n = 4096}},
+                           .min_n = 256,
+                           .max_n = 4096}},
           .function = [](Index n, std::uint64_t, const Parameters&) { return parabola_points(n); }};
 }
 

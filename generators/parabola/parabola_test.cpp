@@ -14,7 +14,7 @@ TEST(Parabola, points_are_the_recorded_ones) {
 TEST(Parabola, points_are_exact_and_in_strictly_convex_position) {
   EXPECT_EQ(parabola_points(3), (std::vector<Point>{{0, 0}, {1, 1}, {2, 4}}));
   EXPECT_TRUE(is_in_strictly_convex_position(parabola_points(100'000)));
-  const double last = kLargestParabola - 1;
+  const double last = kMaxParabola - 1;
   EXPECT_LE(last * last, 0x1p53);
   EXPECT_GT((last + 1) * (last + 1), 0x1p53);
 }

@@ -42,9 +42,9 @@ GeneratorInfo roads_entry() {
   return {.name = "roads",
           .summary = "points along random polylines",
           .source = "the look of TIGER and OpenStreetMap extracts, a common test for geometric software",
-          .stresses = "nearly collinear runs next to empty regions: diamond tests, walls of patches, quadtree",
+          .stresses = "nearly collinear runs next to empty regions: diamond tests, beta_skeleton of patches, quadtree",
           .law = "none known",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {{"roads", ParameterType::integer, "20", "number of polylines, 1 to 1000000"}},
           .function = [](Index n, std::uint64_t seed, const Parameters& parameters) {
             const auto roads = integer_within("roads", parameters, "roads", 1, 1'000'000);

@@ -9,7 +9,7 @@ namespace {
 
 std::vector<Point> spiral(Index n, std::uint64_t, const Parameters& parameters) {
   const auto turns = static_cast<Index>(integer_within("spiral", parameters, "turns", 1, 1'000'000));
-  require_size("spiral", n, 2 * turns + 1, kMostPoints);
+  require_size("spiral", n, 2 * turns + 1, kMaxPoints);
   return spiral_points(n, turns);
 }
 
@@ -22,8 +22,8 @@ GeneratorInfo spiral_entry() {
       .source = "a classical test for curve-like data",
       .stresses = "sliver-shaped regions: sweep, quadtree's merging, LMT faces that wind around each other",
       .law = "none known",
-      .smallest_n = 11,
-      .largest_n = kMostPoints,
+      .min_n = 11,
+      .max_n = kMaxPoints,
       .seeded = false,
       .parameters = {{"turns", ParameterType::integer, "5", "number of turns, at least 1; n is at least 2 turns + 1"}},
       .function = spiral};

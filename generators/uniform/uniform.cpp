@@ -15,8 +15,8 @@ GrowthLaw law(const std::string& algorithm, GrowthLaw::Kind kind, double lowest,
           .kind = kind,
           .lowest = lowest,
           .highest = highest,
-          .smallest_n = 256,
-          .largest_n = 65536};
+          .min_n = 256,
+          .max_n = 65536};
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ GeneratorInfo uniform_entry() {
           "w(T*) grows like sqrt n; alpha of greedy stays below 1.03, of insertion grows like n^0.22, of the sweep "
           "like "
           "sqrt n",
-      .largest_n = kMostPoints,
+      .max_n = kMaxPoints,
       .parameters = {},
       .growth_laws = {law("greedy", GrowthLaw::Kind::range, 1, 1.03), law("delaunay", GrowthLaw::Kind::range, 1, 1.05),
                       law("hull_insertion", GrowthLaw::Kind::power, .2, .26),

@@ -24,7 +24,7 @@ GeneratorInfo uniform_disc_entry() {
           .source = "the standard random model; Renyi and Sulanke (1963) for its hull",
           .stresses = "the hull: about 3.4 n^(1/3) of the points lie on it, against 2.7 ln n in a square",
           .law = "w(T*) grows like sqrt n; alpha as for uniform",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .parameters = {},
           .function = [](Index n, std::uint64_t seed, const Parameters&) { return uniform_disc_points(n, seed); }};
 }

@@ -25,8 +25,8 @@ GeneratorInfo wheel_entry() {
               "growth, "
               "greedy algorithms that scan the centre's edges",
           .law = "none known",
-          .smallest_n = 4,
-          .largest_n = kLargestRegularPolygon,
+          .min_n = 4,
+          .max_n = kMaxRegularPolygon,
           .parameters = {{"jitter", ParameterType::real, "0.001",
                           "side of the square that a point is moved in, 0 (exact wheel) to 1"},
                          {"growth", ParameterType::real, "0",

@@ -22,7 +22,7 @@ GeneratorInfo with_duplicates_entry() {
           .source = "what real files look like",
           .stresses = "the removal of duplicates and results that refer to positions in the input",
           .law = "that of uniform on the distinct points",
-          .largest_n = kMostPoints,
+          .max_n = kMaxPoints,
           .repeats_points = true,
           .parameters = {{"share", ParameterType::real, "0.2",
                           "share of the points that repeat others, 0 to .999999; 3 points stay distinct"}},

@@ -31,7 +31,7 @@ struct alignas(32) EdgeRecord {
 };
 
 inline constexpr std::uint32_t kHullMark = 1;
-/// For what one algorithm tells the next, such as walls: no algorithm uses these bits for itself.
+/// For what one algorithm tells the next, such as beta-skeleton edges: no algorithm uses these bits for itself.
 inline constexpr std::uint32_t kLastingMarks = 0xFFFF0000;
 
 /// A triangulation of the convex hull of its points, with links from each halfedge to its neighbours.

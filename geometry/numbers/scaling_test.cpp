@@ -15,8 +15,8 @@ TEST(Scaling, LeavesModerateCoordinatesAlone) {
 }
 
 TEST(Scaling, BringsExtremesNearOneWithoutLosingABit) {
-  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
-  for (const double unit : {1e300, 1e-300, kSmallest}) {
+  constexpr double kMin = std::numeric_limits<double>::denorm_min();
+  for (const double unit : {1e300, 1e-300, kMin}) {
     const std::vector<Point> points = {{unit, 0}, {-3 * unit, 2 * unit}, {7 * unit, unit}};
     const int e = exact_scale(points);
     const std::vector<Point> scaled = exactly_scaled(points);

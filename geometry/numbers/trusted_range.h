@@ -16,10 +16,10 @@ namespace mwt {
 /// 2^-931). All margins leave far more room than that, the narrowest of doubles 2^-54, those of double-doubles 2^-97: a
 /// bound need not mention underflow. A single trusted product is exact with its remainder (exact_product() in
 /// double_double.h), whose last bit is at least 2^-1036.
-inline constexpr double kSmallestTrustedProduct = 1e-280;
-inline constexpr double kLargestTrustedProduct = 1e300;
+inline constexpr double kMinTrustedProduct = 1e-280;
+inline constexpr double kMaxTrustedProduct = 1e300;
 [[nodiscard]] constexpr bool is_trusted_product(double magnitude) {
-  return magnitude > kSmallestTrustedProduct && magnitude < kLargestTrustedProduct;
+  return magnitude > kMinTrustedProduct && magnitude < kMaxTrustedProduct;
 }
 
 /// The same for magnitudes of which up to three are multiplied: the results stay within 1e-270 and 1e270.
@@ -27,14 +27,14 @@ inline constexpr double kLargestTrustedProduct = 1e300;
 
 /// Squared lengths that are rounded to float: far from where floats lose bits (2^-126 = 1.2e-38) or overflow (3.4e38),
 /// so that they err by 2^-24 of themselves, and so do their multiples by factors up to a million.
-inline constexpr double kSmallestTrustedFloat = 1e-30;
-inline constexpr double kLargestTrustedFloat = 1e30;
+inline constexpr double kMinTrustedFloat = 1e-30;
+inline constexpr double kMaxTrustedFloat = 1e30;
 [[nodiscard]] constexpr bool is_trusted_float(double square) {
-  return square > kSmallestTrustedFloat && square < kLargestTrustedFloat;
+  return square > kMinTrustedFloat && square < kMaxTrustedFloat;
 }
 
 /// Lengths and sums of lengths: above it, lengths that underflow to multiples of 2^-1074, up to 2^70 of them, are off
 /// by less than 2^-104 of the sum.
-inline constexpr double kSmallestTrustedLength = 0x1p-900;
+inline constexpr double kMinTrustedLength = 0x1p-900;
 
 }  // namespace mwt

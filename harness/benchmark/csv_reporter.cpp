@@ -19,7 +19,7 @@ namespace mwt {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kCounters = {"over_yardstick", "stopped_early", "alpha_lower", "alpha_upper"};
+constexpr std::array<std::string_view, 4> kCounters = {"over_delaunay", "stopped_early", "alpha_lower", "alpha_upper"};
 
 class CsvReporter final : public benchmark::CSVReporter {
  public:

@@ -27,7 +27,7 @@ TEST_F(BenchmarkProgram, CsvHoldsAlgorithmsOfDifferentStages) {
     ASSERT_GE(rows.size(), 9U);
     for (const CsvRow& row : rows) EXPECT_EQ(row.size(), rows.front().size());
     EXPECT_EQ(CsvRow(rows.front().end() - 4, rows.front().end()),
-              (CsvRow{"alpha_lower", "alpha_upper", "over_yardstick", "stopped_early"}));
+              (CsvRow{"alpha_lower", "alpha_upper", "over_delaunay", "stopped_early"}));
     EXPECT_EQ(read("o.csv"), read(".out"));
     for (const char* name : {"delaunay/uniform/10", "patch/circle/10", "polygon_dp/uniform/10", "exact/circle/10"}) {
       EXPECT_TRUE(std::ranges::any_of(rows, [&](const CsvRow& row) { return row.front().starts_with(name); })) << name;
@@ -41,11 +41,11 @@ TEST_F(BenchmarkProgram, CsvMayBeginWithASkippedBenchmark) {
   const std::vector<CsvRow> rows = parse_csv(read(".out"));
   ASSERT_EQ(rows.size(), 3U) << read(".out");
   EXPECT_EQ(rows[1].front(), "polygon_dp/uniform/10");
-  EXPECT_EQ(rows[2].back().empty(), false) << "exact is timed over the yardstick";
+  EXPECT_EQ(rows[2].back().empty(), false) << "exact is timed over the Delaunay time";
 }
 
 TEST_F(BenchmarkProgram, NumbersOfFlagsAreHeldToTheirRange) {
-  for (const char* flag : {"--largest_n=0", "--largest_n=-1", "--largest_n=", "--largest_n=1e3", "--threads=nan",
+  for (const char* flag : {"--max_n=0", "--max_n=-1", "--max_n=", "--max_n=1e3", "--threads=nan",
                            "--threads=99999999999"}) {
     EXPECT_EQ(benchmark(flag), 2) << flag;
     EXPECT_TRUE(read(".err").starts_with("mwt_benchmark: " + std::string(flag) + " is ")) << read(".err");

@@ -1,7 +1,7 @@
 // Google Benchmark's front door: every algorithm x family, all standard flags, nothing generated before its turn.
 //
-// Two flags of its own: --largest_n=10000000, up to how many points (a million unless told), and --threads=2 (one
-// unless told), which algorithms that use threads may use. Counters: over_yardstick = median processor time (of several
+// Two flags of its own: --max_n=10000000, up to how many points (a million unless told), and --threads=2 (one
+// unless told), which algorithms that use threads may use. Counters: over_delaunay = median processor time (of several
 // threads: wall time) / median of seven Delaunay triangulations of the same points by CGAL, measured in turns with the
 // algorithm; stopped_early, 1 if something stopped the algorithm (the label says what), else 0; alpha_lower,
 // alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own stages in its last iteration (in CSV these
@@ -51,16 +51,16 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
     return;
   }
   const Points points = cell.instance.set.points;
-  TimeOverYardstick times;
+  TimeOverDelaunay times;
   Context context;
   context.parameters = cell.request.parameters;
   context.threads = threads;
-  const std::uint64_t every = 1 + state.max_iterations / TimeOverYardstick::kYardsticks;
+  const std::uint64_t every = 1 + state.max_iterations / TimeOverDelaunay::kDelaunayTimes;
   std::optional<StopReason> stop_reason;
   std::uint64_t iteration = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    if (iteration++ % every == 0) times.measure_yardstick(points);
+    if (iteration++ % every == 0) times.measure_delaunay_time(points);
     context.phases.clear();
     state.ResumeTiming();
     const double cpu_start = process_cpu_time_s();
@@ -71,7 +71,7 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
     stop_reason = solution.stop_reason;
     benchmark::DoNotOptimize(solution.triangulation.triangles.data());
   }
-  state.counters["over_yardstick"] = times.ratio(points);
+  state.counters["over_delaunay"] = times.ratio(points);
   state.counters["stopped_early"] = stop_reason ? 1 : 0;
   if (stop_reason) state.SetLabel("stopped early: " + std::string(phrase_of(*stop_reason)));
   if (cell.alpha) {
@@ -83,18 +83,18 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
 
 // What mwt_benchmark understands besides Google Benchmark's own flags.
 struct Flags {
-  Index largest_n = 1'000'000;
+  Index max_n = 1'000'000;
   Index threads = 1;
 };
 
-// Takes --largest_n=N and --threads=T out of the arguments. Throws InputError: one has no number of its range.
+// Takes --max_n=N and --threads=T out of the arguments. Throws InputError: one has no number of its range.
 Flags take_flags(int& argument_count, char** arguments) {
   Flags flags;
   int kept = 1;
   for (int i = 1; i < argument_count; ++i) {
     const std::string_view argument = arguments[i];
     Index* number = nullptr;
-    for (const auto& [name, value] : {std::pair("--largest_n=", &flags.largest_n), {"--threads=", &flags.threads}}) {
+    for (const auto& [name, value] : {std::pair("--max_n=", &flags.max_n), {"--threads=", &flags.threads}}) {
       if (argument.starts_with(name)) number = value;
     }
     if (number == nullptr) {
@@ -103,7 +103,7 @@ Flags take_flags(int& argument_count, char** arguments) {
     }
     const std::string_view text = argument.substr(argument.find('=') + 1);
     *number = given_number<Index>(std::string(argument), text,
-                                  {1, number == &flags.threads ? Index{kMostWorkers} : kNoIndex - 1});
+                                  {1, number == &flags.threads ? Index{kMaxWorkers} : kNoIndex - 1});
   }
   argument_count = kept;
   return flags;
@@ -124,7 +124,7 @@ std::string value_of_flag(const std::string& name, int argument_count, char** ar
 
 void register_all(const Catalogue& catalogue, const Flags& flags) {
   const int threads = static_cast<int>(flags.threads);
-  for (const BenchmarkCell& cell : benchmark_cells(catalogue, flags.largest_n)) {
+  for (const BenchmarkCell& cell : benchmark_cells(catalogue, flags.max_n)) {
     const auto timed = [&catalogue, cell, threads](benchmark::State& state) {
       time_cell(state, catalogue, cell, threads);
     };

@@ -90,7 +90,7 @@ OptimumClaims seek_optimum_here(const Catalogue& catalogue, const Instance& inst
 
 // Of an instance with few enough points; null otherwise.
 OptimumClaims* cheap_optimum(const Catalogue& catalogue, const Instance& instance, const std::string& label) {
-  if (instance.set.points.size() > kLargestRatedN) return nullptr;
+  if (instance.set.points.size() > kMaxRatedN) return nullptr;
   const auto [entry, is_new] = known_optima().try_emplace(instance.id);
   if (is_new) entry->second = seek_optimum_here(catalogue, instance, label);
   return &entry->second;
@@ -127,26 +127,26 @@ std::string BenchmarkCell::name() const {
 
 namespace {
 
-std::vector<Index> sizes(const AlgorithmInfo& algorithm, const GeneratorInfo& family, Index largest_n) {
-  const Index of_algorithm = largest_n_for(algorithm, {});
+std::vector<Index> sizes(const AlgorithmInfo& algorithm, const GeneratorInfo& family, Index max_n) {
+  const Index of_algorithm = max_n_for(algorithm, {});
   if (family.fixed_n != 0) {
     return family.fixed_n <= of_algorithm ? std::vector<Index>{family.fixed_n} : std::vector<Index>{};
   }
-  const Index of_family = family.largest_n == 0 ? largest_n : family.largest_n;
+  const Index of_family = family.max_n == 0 ? max_n : family.max_n;
   std::vector<Index> result;
-  for (Index n = 10; n <= std::min({largest_n, of_algorithm, of_family}); n *= 10) result.push_back(n);
+  for (Index n = 10; n <= std::min({max_n, of_algorithm, of_family}); n *= 10) result.push_back(n);
   return result;
 }
 
 }  // namespace
 
-std::vector<BenchmarkCell> benchmark_cells(const Catalogue& catalogue, Index largest_n) {
+std::vector<BenchmarkCell> benchmark_cells(const Catalogue& catalogue, Index max_n) {
   std::vector<BenchmarkCell> cells;
   for (const AlgorithmInfo& algorithm : catalogue.algorithms()) {
     for (const GivenParameters& of_algorithm : variants_of(algorithm.name, algorithm_variants())) {
       for (const GeneratorInfo& family : catalogue.generators()) {
         for (const GivenParameters& of_family : variants_of(family.name, family_variants())) {
-          for (const Index n : sizes(algorithm, family, largest_n)) {
+          for (const Index n : sizes(algorithm, family, max_n)) {
             cells.push_back({&algorithm, of_algorithm, &family, of_family, n});
           }
         }
@@ -171,13 +171,13 @@ PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell) {
   return prepared;
 }
 
-void TimeOverYardstick::measure_yardstick(Points points) {
-  if (yardstick_s_.size() < kYardsticks) yardstick_s_.push_back(measure_yardstick_s(points));
+void TimeOverDelaunay::measure_delaunay_time(Points points) {
+  if (delaunay_times_s_.size() < kDelaunayTimes) delaunay_times_s_.push_back(measure_delaunay_time_s(points));
 }
 
-double TimeOverYardstick::ratio(Points points) {
-  while (yardstick_s_.size() < kYardsticks) measure_yardstick(points);
-  return median(algorithm_s_) / median(yardstick_s_);
+double TimeOverDelaunay::ratio(Points points) {
+  while (delaunay_times_s_.size() < kDelaunayTimes) measure_delaunay_time(points);
+  return median(algorithm_s_) / median(delaunay_times_s_);
 }
 
 }  // namespace mwt

@@ -35,13 +35,13 @@ PreparedCell prepared(const std::string& algorithm, const std::string& family, I
   return prepare(catalogue, {&catalogue.algorithm(algorithm), {}, &catalogue.generator(family), {}, n});
 }
 
-TEST(TimeOverYardstick, IsTheRatioOfMedians) {
+TEST(TimeOverDelaunay, IsTheRatioOfMedians) {
   const PreparedCell cell = prepared("well", "uniform", 1000);
   ASSERT_EQ(cell.reason_to_skip, "");
-  TimeOverYardstick once, thrice;
+  TimeOverDelaunay once, thrice;
   once.add(1e6);
   for (const double time : {1e9, 2e9, 1e3}) thrice.add(time);
-  EXPECT_GT(once.ratio(cell.instance.set.points), 1e6) << "a yardstick takes less than a second";
+  EXPECT_GT(once.ratio(cell.instance.set.points), 1e6) << "a Delaunay triangulation takes less than a second";
   EXPECT_GT(thrice.ratio(cell.instance.set.points), 1e9);
 }
 

@@ -63,9 +63,9 @@ MadeUpRecords example_run(const std::string& algorithm, double weight, std::uint
 }
 
 TEST(Claims, C1FollowsTheWeightAndTheTriangles) {
-  EXPECT_EQ(verdict("C1", example_run("greedy_report", 70.9585925243, 12)), ClaimVerdict::reproduced);
-  EXPECT_EQ(verdict("C1", example_run("greedy_report", 70.9587, 12)), ClaimVerdict::refuted);
-  EXPECT_EQ(verdict("C1", example_run("greedy_report", 70.9585925243, 11)), ClaimVerdict::refuted);
+  EXPECT_EQ(verdict("C1", example_run("greedy_naive", 70.9585925243, 12)), ClaimVerdict::reproduced);
+  EXPECT_EQ(verdict("C1", example_run("greedy_naive", 70.9587, 12)), ClaimVerdict::refuted);
+  EXPECT_EQ(verdict("C1", example_run("greedy_naive", 70.9585925243, 11)), ClaimVerdict::refuted);
   EXPECT_EQ(verdict("C1", example_run("delaunay", 70.9585925243, 12)), ClaimVerdict::undecided);
 }
 
@@ -112,7 +112,7 @@ TEST(Claims, C4CountsAnInstanceOnce) {
   MadeUpRecords made_up = greedy_runs(1.001, 40);
   StudyRecords records = made_up.records();
   for (RunRecord run : made_up.records().runs) {
-    run.algorithm = "greedy_report";
+    run.algorithm = "greedy_naive";
     records.runs.push_back(run);
   }
   EXPECT_EQ(testing::claim("C4").judge(records).rows.size(), 40U);
@@ -200,9 +200,9 @@ TEST(Claims, C8DependsOnTheUnitOfLength) {
 
 MadeUpRecords local_search(double start, double middle, double end, int flips) {
   MadeUpRecords made_up;
-  for (const auto& [most_flips, total] : {std::pair{"0", start}, std::pair{"1", middle}, std::pair{"-1", end}}) {
-    RunRecord& run = made_up.add("flip_report", "local_search_figure", 10);
-    run.params = std::string("improvement=first most_flips=") + most_flips + " start=local_search_figure_start.csv";
+  for (const auto& [max_flips, total] : {std::pair{"0", start}, std::pair{"1", middle}, std::pair{"-1", end}}) {
+    RunRecord& run = made_up.add("flip_naive", "local_search_figure", 10);
+    run.params = std::string("improvement=first max_flips=") + max_flips + " start=local_search_figure_start.csv";
     run.perimeter_sum = total;
     run.counters = "flips=" + std::to_string(flips);
   }
@@ -218,8 +218,8 @@ TEST(Claims, C9FollowsTheThreeSumsAndTheFlips) {
 MadeUpRecords searches(int near, int far) {
   MadeUpRecords made_up;
   for (int i = 0; i < near + far; ++i) {
-    made_up.add_rated("flip_report", "uniform", 100, i < near ? 1.05 : 1.3).params =
-        "improvement=first most_flips=-1 start=sweep";
+    made_up.add_rated("flip_naive", "uniform", 100, i < near ? 1.05 : 1.3).params =
+        "improvement=first max_flips=-1 start=sweep";
   }
   return made_up;
 }
@@ -264,10 +264,10 @@ void add_times(MadeUpRecords& made_up, const std::string& algorithm, const std::
 
 MadeUpRecords all_times(double greedy, double quadtree, double brute_force) {
   MadeUpRecords made_up;
-  add_times(made_up, "greedy_report", "uniform", greedy);
+  add_times(made_up, "greedy_naive", "uniform", greedy);
   add_times(made_up, "hull_insertion", "uniform", 1.2);
   add_times(made_up, "hull_insertion", "circle", 2.9);
-  add_times(made_up, "flip_report", "uniform", 1.3);
+  add_times(made_up, "flip_naive", "uniform", 1.3);
   add_times(made_up, "quadtree", "uniform", quadtree);
   add_times(made_up, "delaunay", "uniform", 1.1);
   for (const Index n : {9U, 10U, 11U, 12U}) {
@@ -326,7 +326,7 @@ TEST(Claims, C15FollowsTheGrowthPerPoint) {
 }
 
 TEST(Claims, FailedAndRepeatedRunsAreNoEvidence) {
-  StudyRecords records = example_run("greedy_report", 70.9585925243, 12).records();
+  StudyRecords records = example_run("greedy_naive", 70.9585925243, 12).records();
   records.runs.front().status = RunStatus::timeout;
   EXPECT_EQ(testing::claim("C1").judge(records).verdict, ClaimVerdict::undecided);
   records = searches(6, 0).records();

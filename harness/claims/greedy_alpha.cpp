@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kBandLow = 1.1;
 constexpr double kBandHigh = 1.5;
-constexpr std::size_t kFewestInstances = 30;
-constexpr std::size_t kFewestToCompare = 10;
+constexpr std::size_t kMinInstances = 30;
+constexpr std::size_t kMinToCompare = 10;
 
 bool is_in_band(double alpha) { return alpha >= kBandLow && alpha <= kBandHigh; }
 
@@ -33,7 +33,7 @@ Runs one_per_instance(const Runs& runs) {
   std::map<std::string, const RunRecord*> chosen;
   for (const RunRecord* run : runs) {
     const RunRecord*& place = chosen[run->instance_id];
-    if (place == nullptr || run->algorithm == "greedy_report") place = run;
+    if (place == nullptr || run->algorithm == "greedy_naive") place = run;
   }
   Runs result;
   for (const RunRecord* run : runs) {
@@ -57,7 +57,7 @@ std::vector<std::string> details_row(const std::string& algorithm, const std::st
 }
 
 bool is_usual_configuration(const RunRecord& run) {
-  if (run.algorithm == "flip_report") return named_value(run.params, "start") == "delaunay";
+  if (run.algorithm == "flip_naive") return named_value(run.params, "start") == "delaunay";
   return run.algorithm != "hull_insertion" || named_value(run.params, "order") == "index";
 }
 
@@ -77,7 +77,7 @@ ClaimDetails details_of(const StudyRecords& records) {
     }
   }
   std::stable_partition(details.rows.begin(), details.rows.end(),
-                        [](const auto& row) { return row.front() == "greedy" || row.front() == "greedy_report"; });
+                        [](const auto& row) { return row.front() == "greedy" || row.front() == "greedy_naive"; });
   return details;
 }
 
@@ -89,7 +89,7 @@ std::string best_fit(const StudyRecords& records) {
   std::string text;
   double best = 0;
   for (const auto& [key, runs] : groups) {
-    if (runs.size() < kFewestToCompare) continue;
+    if (runs.size() < kMinToCompare) continue;
     const double share = share_in_band(alphas(runs));
     if (share <= best) continue;
     best = share;
@@ -99,7 +99,7 @@ std::string best_fit(const StudyRecords& records) {
 }
 
 ClaimVerdict verdict_of(const std::vector<double>& values) {
-  if (values.size() < kFewestInstances) return ClaimVerdict::undecided;
+  if (values.size() < kMinInstances) return ClaimVerdict::undecided;
   const std::size_t inside = count_in_band(values);
   const ProbabilityInterval share = clopper_pearson(inside, values.size());
   if (share.lower > 0.5) return ClaimVerdict::reproduced;
@@ -110,8 +110,8 @@ ClaimVerdict verdict_of(const std::vector<double>& values) {
 }
 
 std::string missing_of(const std::vector<double>& values) {
-  if (values.size() < kFewestInstances)
-    return std::to_string(values.size()) + " instances, " + std::to_string(kFewestInstances) + " are needed";
+  if (values.size() < kMinInstances)
+    return std::to_string(values.size()) + " instances, " + std::to_string(kMinInstances) + " are needed";
   return "the interval for the share of instances inside 1.1-1.5 holds one half; more instances would narrow it";
 }
 
@@ -139,7 +139,7 @@ Claim greedy_alpha() {
       "C4",
       "Greedy's alpha is in practice often close to 1.1-1.5, even for large n",
       "5.1.8",
-      "greedy_report and greedy (the same triangulation) on uniform, normal and clustered points and on points from "
+      "greedy_naive and greedy (the same triangulation) on uniform, normal and clustered points and on points from "
       "files, against proved optima; one run per instance",
       "with the exact 95% interval for the share of instances inside 1.1-1.5: reproduced if it lies above one half; "
       "refuted if below, (better than claimed) if most of the others lie below 1.1; undecided with fewer than 30 "

@@ -10,7 +10,7 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kSmallestN = 50;
+constexpr Index kMinN = 50;
 constexpr double kClearGrowth = 0.05;
 
 // The lower ends: certified by any known triangulation, so that they show growth even where no optimum is proved.
@@ -66,12 +66,12 @@ Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
 Finding judge(const StudyRecords& records) {
   Finding finding;
   finding.rows = finished_runs(records, [](const RunRecord& run) {
-    return run.algorithm == "hull_insertion" && named_value(run.params, "order") == "index" && run.n >= kSmallestN &&
+    return run.algorithm == "hull_insertion" && named_value(run.params, "order") == "index" && run.n >= kMinN &&
            run.alpha_lower;
   });
   const Growth growth = growth_by_family(finding.rows, finding.details);
   finding.missing = "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " +
-                    std::to_string(kSmallestN) + ", with a certified alpha";
+                    std::to_string(kMinN) + ", with a certified alpha";
   if (finding.details.rows.empty()) return finding;
   finding.missing =
       "nowhere does alpha surely outgrow log n, nor is that excluded everywhere (see the intervals of alpha / log n); "

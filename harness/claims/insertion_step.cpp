@@ -10,10 +10,10 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kSmallestN = 20;
+constexpr Index kMinN = 20;
 constexpr double kClearGrowth = 0.05;
 // In the unit square an insertion adds three edges of at most sqrt 2 each.
-constexpr double kMostInUnitSquare = 3 * std::numbers::sqrt2;
+constexpr double kMaxInUnitSquare = 3 * std::numbers::sqrt2;
 constexpr const char* kUnitSquare = "uniform";
 
 // The mean over all insertions: what the report's proof sums up.
@@ -28,7 +28,7 @@ std::optional<double> increase_over_log(const RunRecord& run) {
   return value ? std::optional(*value / std::log(run.n)) : std::nullopt;
 }
 
-double largest_increase(const Runs& runs) {
+double max_increase(const Runs& runs) {
   double largest = 0;
   for (const RunRecord* run : runs) largest = std::max(largest, increase(*run).value_or(0));
   return largest;
@@ -50,14 +50,14 @@ Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
   for (const auto& [family, runs] : by_growing_family(rows)) {
     const auto law = growth_of(runs, increase), over_log = growth_of(runs, increase_over_log);
     if (!law || !over_log) continue;
-    const double largest = largest_increase(runs);
+    const double largest = max_increase(runs);
     details.rows.push_back(
         {family, size_range(runs), exponent_text(*law), exponent_text(*over_log), significant(largest, 4)});
     const bool fails = over_log->exponent.lower > kClearGrowth;
     if (family == kUnitSquare) {
       growth.knows_unit_square = true;
       growth.fails_in_unit_square = fails;
-      growth.holds_in_unit_square = over_log->exponent.upper <= 0 && largest <= kMostInUnitSquare;
+      growth.holds_in_unit_square = over_log->exponent.upper <= 0 && largest <= kMaxInUnitSquare;
     } else if (fails) {
       growth.fails_elsewhere = true;
       if (law->exponent.value > growth.exponent) growth.steepest = family, growth.exponent = law->exponent.value;
@@ -69,13 +69,13 @@ Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
 Finding judge(const StudyRecords& records) {
   Finding finding;
   finding.rows = finished_runs(records, [](const RunRecord& run) {
-    return run.algorithm == "hull_insertion" && run.n >= kSmallestN && increase(run);
+    return run.algorithm == "hull_insertion" && run.n >= kMinN && increase(run);
   });
   const Growth growth = growth_by_family(finding.rows, finding.details);
   const auto groups = by_family(finding.rows);
   const auto unit_square = groups.find(kUnitSquare);
   finding.missing = std::string("finished runs of hull_insertion on ") + kUnitSquare +
-                    " at three sizes, from n = " + std::to_string(kSmallestN);
+                    " at three sizes, from n = " + std::to_string(kMinN);
   if (unit_square == groups.end()) return finding;
   if (growth.knows_unit_square)
     finding.missing = "in the unit square growth is neither sure nor excluded; larger sizes would tell";
@@ -85,7 +85,7 @@ Finding judge(const StudyRecords& records) {
     finding.verdict = growth.fails_elsewhere ? ClaimVerdict::ill_posed : ClaimVerdict::holds;
   }
   finding.measured = "in the unit square (uniform) an insertion adds at most " +
-                     significant(largest_increase(unit_square->second), 3) +
+                     significant(max_increase(unit_square->second), 3) +
                      " on average over a run (never above 3 sqrt 2)";
   if (growth.fails_elsewhere) {
     finding.measured += ", but where coordinates grow with n it outgrows log n: on " + growth.steepest + " like n^" +

@@ -11,7 +11,7 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kSmallestN = 20;
+constexpr Index kMinN = 20;
 constexpr double kProbability = 0.5;  // the claim: above 1 - delta, delta at most one half
 // The report's own, from the harder end; then harder questions.
 constexpr std::array<double, 4> kEpsilons = {0.1, 0.2, 0.01, 0.001};
@@ -40,7 +40,7 @@ std::uint64_t successes(const Runs& runs, double epsilon) {
 struct Summary {
   std::vector<std::string> open_cells;  // whose interval holds one half
   std::uint64_t successes = 0;
-  double smallest_lower = 1;
+  double min_lower = 1;
   bool every_cell_above = true;
   bool some_cell_below = false;
 };
@@ -53,7 +53,7 @@ Summary add_rows(const std::map<Cell, Runs>& cells, double epsilon, ClaimDetails
     details.rows.push_back({cell.start, std::to_string(cell.n), significant(epsilon, 1), std::to_string(count),
                             std::to_string(runs.size()), fixed(interval.lower, 3), fixed(interval.upper, 3)});
     summary.successes += count;
-    summary.smallest_lower = std::min(summary.smallest_lower, interval.lower);
+    summary.min_lower = std::min(summary.min_lower, interval.lower);
     summary.every_cell_above = summary.every_cell_above && interval.lower > kProbability;
     summary.some_cell_below = summary.some_cell_below || interval.upper <= kProbability;
     if (interval.lower <= kProbability)
@@ -66,7 +66,7 @@ Summary add_rows(const std::map<Cell, Runs>& cells, double epsilon, ClaimDetails
 Finding judge(const StudyRecords& records) {
   Finding finding;
   finding.rows = rated_runs(records, [](const RunRecord& run) {
-    return run.algorithm == "flip_report" && run.generator == "uniform" && run.n >= kSmallestN &&
+    return run.algorithm == "flip_naive" && run.generator == "uniform" && run.n >= kMinN &&
            named_value(run.params, "improvement") == "first";
   });
   if (finding.rows.empty()) return finding;
@@ -82,7 +82,7 @@ Finding judge(const StudyRecords& records) {
       finding.missing = "more finished runs of: " + joined(summary.open_cells) +
                         "; six successes of six are the fewest that show P > 1/2";
       finding.measured = share + " runs end below 1.1 OPT (uniform, " + size_range(finding.rows) +
-                         "); in every cell of n and start P >= " + fixed(summary.smallest_lower, 2) +
+                         "); in every cell of n and start P >= " + fixed(summary.min_lower, 2) +
                          " with 95% confidence";
     } else if (epsilon < kDecidingEpsilon) {
       harder += "; below " + significant(1 + epsilon, epsilon < 0.005 ? 4 : 3) + " OPT: " + share;
@@ -98,12 +98,12 @@ Claim local_search_probability() {
   return {"C10",
           "Local search: P[weight < (1+eps) OPT] > 1 - delta with eps in [0.1, 0.2], delta <= 0.5, n >= 20",
           "5.3.4",
-          "flip_report (improvement=first) on uniform points from n = 20, for every start and n, against proved optima",
+          "flip_naive (improvement=first) on uniform points from n = 20, for every start and n, against proved optima",
           "with the exact 95% interval (Clopper-Pearson) for the probability at eps = 0.1 in every cell of n and "
           "start: holds "
           "if all lie above one half; refuted if one does not reach above it; otherwise undecided. eps = 0.2 follows "
           "from 0.1",
-          "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm flip_report --param "
+          "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm flip_naive --param "
           "start=sweep "
           "--with-optimum",
           judge};

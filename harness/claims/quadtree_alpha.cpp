@@ -10,8 +10,8 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kSmallestN = 20;
-constexpr std::size_t kFewestInstances = 30;
+constexpr Index kMinN = 20;
+constexpr std::size_t kMinInstances = 30;
 constexpr double kGood = 1.5;  // the upper end of what the report calls near-optimal of greedy
 constexpr double kClearGrowth = 0.05;
 
@@ -28,8 +28,8 @@ ClaimVerdict verdict_of(const std::vector<double>& values, const PowerLaw& growt
 }
 
 std::string missing_of(std::size_t instances, const std::optional<PowerLaw>& growth) {
-  if (instances < kFewestInstances)
-    return std::to_string(instances) + " instances, " + std::to_string(kFewestInstances) + " are needed";
+  if (instances < kMinInstances)
+    return std::to_string(instances) + " instances, " + std::to_string(kMinInstances) + " are needed";
   if (!growth) return "rated runs on uniform points at three sizes";
   return "growth on uniform points is neither sure nor excluded; more sizes would tell";
 }
@@ -37,14 +37,14 @@ std::string missing_of(std::size_t instances, const std::optional<PowerLaw>& gro
 Finding judge(const StudyRecords& records) {
   Finding finding;
   const Runs everywhere =
-      rated_runs(records, [](const RunRecord& run) { return run.algorithm == "quadtree" && run.n >= kSmallestN; });
+      rated_runs(records, [](const RunRecord& run) { return run.algorithm == "quadtree" && run.n >= kMinN; });
   std::copy_if(everywhere.begin(), everywhere.end(), std::back_inserter(finding.rows),
                [](const RunRecord* run) { return is_typical(*run); });
   const std::optional<PowerLaw> growth = growth_on_uniform(finding.rows);
   if (finding.rows.empty()) return finding;
   const std::vector<double> values = alphas(finding.rows);
   finding.missing = missing_of(values.size(), growth);
-  if (growth && values.size() >= kFewestInstances) finding.verdict = verdict_of(values, *growth);
+  if (growth && values.size() >= kMinInstances) finding.verdict = verdict_of(values, *growth);
   const RunRecord& largest = worst(everywhere);
   finding.measured = "alpha on random points: mean " + fixed(mean(values), 4) + ", 95% below " +
                      fixed(quantile(values, 0.95), 4) + " (" + size_range(finding.rows) + ")";

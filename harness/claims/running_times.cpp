@@ -11,10 +11,10 @@ namespace mwt::claims {
 namespace {
 
 constexpr double kTolerance = 0.15;          // caches and memory make large inputs dearer per step
-constexpr Index kSmallestPower = 20;         // below, fixed costs hide the growth
-constexpr Index kSmallestNearLinear = 1000;  // n log n needs room to tell itself from n
+constexpr Index kMinPower = 20;         // below, fixed costs hide the growth
+constexpr Index kMinNearLinear = 1000;  // n log n needs room to tell itself from n
 constexpr double kSlowestGrowth = 1.5;       // per point: what "exponential" must exceed
-constexpr std::size_t kFewestSizes = 3;
+constexpr std::size_t kMinSizes = 3;
 
 enum class Shape { power, times_log, per_pass };
 
@@ -29,10 +29,10 @@ struct Statement {
 
 const std::vector<Statement>& statements() {
   static const std::vector<Statement> all = {
-      {"greedy_report", "uniform", "O(n^4)", Shape::power, 4},
+      {"greedy_naive", "uniform", "O(n^4)", Shape::power, 4},
       {"hull_insertion", "uniform", "O(n^3)", Shape::power, 3},
       {"hull_insertion", "circle", "O(n^3)", Shape::power, 3},
-      {"flip_report", "uniform", "O(n^2 I)", Shape::per_pass, 2},
+      {"flip_naive", "uniform", "O(n^2 I)", Shape::per_pass, 2},
       {"quadtree", "uniform", "O(n log n)", Shape::times_log, 1},
       {"delaunay", "uniform", "O(n log n)", Shape::times_log, 1},
   };
@@ -43,12 +43,12 @@ const std::vector<Statement>& statements() {
 constexpr const char* kFamilyOfOthers = "uniform";
 
 // Which sizes count is fixed beforehand, not by how long they take: the verdict must not depend on the machine's speed.
-Index smallest_n(Shape shape) { return shape == Shape::times_log ? kSmallestNearLinear : kSmallestPower; }
+Index min_n(Shape shape) { return shape == Shape::times_log ? kMinNearLinear : kMinPower; }
 
 // The CPU time, which other programs on the machine disturb less than wall time, divided by what the statement allows
 // for beside the power of n. Nothing of runs before CPU times could be trusted: such a clock may have stood still.
 std::optional<double> time_for(const RunRecord& run, Shape shape) {
-  if (!(run.cpu_time_s.value_or(0) > 0) || run.n < smallest_n(shape)) return std::nullopt;
+  if (!(run.cpu_time_s.value_or(0) > 0) || run.n < min_n(shape)) return std::nullopt;
   if (shape == Shape::times_log) return *run.cpu_time_s / std::log(run.n);
   if (shape == Shape::per_pass) return *run.cpu_time_s / named_number(run.counters, "passes").value_or(1);
   return run.cpu_time_s;
@@ -56,7 +56,7 @@ std::optional<double> time_for(const RunRecord& run, Shape shape) {
 
 std::optional<PowerLaw> fit(const Runs& runs, Shape shape) {
   return growth_of(
-      runs, [shape](const RunRecord& run) { return time_for(run, shape); }, kFewestSizes);
+      runs, [shape](const RunRecord& run) { return time_for(run, shape); }, kMinSizes);
 }
 
 std::set<Index> sizes_of(const Runs& runs) {
@@ -67,7 +67,7 @@ std::set<Index> sizes_of(const Runs& runs) {
 
 // The factor by which brute force takes longer with every point; nothing if it was timed at too few sizes.
 std::optional<Estimate> growth_of_brute_force(const Runs& runs) {
-  if (sizes_of(runs).size() < kFewestSizes) return std::nullopt;
+  if (sizes_of(runs).size() < kMinSizes) return std::nullopt;
   std::vector<Measurement> measurements;
   for (const RunRecord* run : runs) measurements.push_back({std::exp(run->n), *run->cpu_time_s});
   const Estimate slope = fit_power_law(measurements)->exponent;
@@ -85,7 +85,7 @@ Runs runs_of_brute_force(const StudyRecords& records) {
 Runs runs_of(const StudyRecords& records, const std::string& algorithm, const std::string& family, Shape shape) {
   return finished_runs(records, [&](const RunRecord& run) {
     const std::optional<std::string> start = named_value(run.params, "start");
-    const bool is_usual = algorithm != "flip_report" || start == "delaunay";
+    const bool is_usual = algorithm != "flip_naive" || start == "delaunay";
     return run.algorithm == algorithm && run.generator == family && is_usual && time_for(run, shape);
   });
 }
@@ -126,7 +126,7 @@ class Judge {
     const Runs runs = runs_of(records_, statement.algorithm, statement.family, statement.shape);
     const std::string name = statement.algorithm + " on " + statement.family;
     const std::optional<PowerLaw> law = fit(runs, statement.shape);
-    if (!law) return miss_sizes(name, " from n = " + grouped(smallest_n(statement.shape)), runs);
+    if (!law) return miss_sizes(name, " from n = " + grouped(min_n(statement.shape)), runs);
     const double most = statement.exponent + kTolerance;
     const bool agrees = law->exponent.upper <= most, contradicts = law->exponent.lower > most;
     contradicted_ = contradicted_ || contradicts;
@@ -161,7 +161,7 @@ class Judge {
     std::vector<std::string> sizes;
     for (const Index n : sizes_of(runs)) sizes.push_back(grouped(n));
     miss(name + " has CPU times of finished runs at " + std::to_string(sizes.size()) + " sizes" + from +
-         (sizes.empty() ? "" : " (n = " + joined(sizes, "; ") + ")") + ", " + std::to_string(kFewestSizes) +
+         (sizes.empty() ? "" : " (n = " + joined(sizes, "; ") + ")") + ", " + std::to_string(kMinSizes) +
          " are needed");
   }
 
@@ -186,7 +186,7 @@ Claim running_times() {
       "each stated time is an upper bound: refuted if the fitted exponent's lower 95% limit exceeds the stated one by "
       "more than 0.15 somewhere (or brute force multiplies by less than 1.5 per point); holds if no upper limit does "
       "and every algorithm was timed at three sizes or more; otherwise undecided",
-      "mwt run report --out results/report --resume",
+      "mwt run claims --out results/claims --resume",
       [](const StudyRecords& records) { return Judge(records).judge(); }};
 }
 

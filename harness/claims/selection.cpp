@@ -56,7 +56,7 @@ bool is_typical(const RunRecord& run) {
   return families.contains(run.generator);
 }
 
-bool is_greedy(const RunRecord& run) { return run.algorithm == "greedy_report" || run.algorithm == "greedy"; }
+bool is_greedy(const RunRecord& run) { return run.algorithm == "greedy_naive" || run.algorithm == "greedy"; }
 
 std::vector<double> alphas(const Runs& runs) {
   std::vector<double> values;
@@ -86,7 +86,7 @@ const RunRecord& worst(const Runs& runs) {
                             [](const RunRecord* a, const RunRecord* b) { return *a->alpha_upper < *b->alpha_upper; });
 }
 
-std::optional<PowerLaw> growth_of(const Runs& runs, const RunValue& value, std::size_t fewest_sizes) {
+std::optional<PowerLaw> growth_of(const Runs& runs, const RunValue& value, std::size_t min_sizes) {
   std::vector<Measurement> measurements;
   std::set<Index> sizes;
   for (const RunRecord* run : runs) {
@@ -95,7 +95,7 @@ std::optional<PowerLaw> growth_of(const Runs& runs, const RunValue& value, std::
     measurements.push_back({static_cast<double>(run->n), *y});
     sizes.insert(run->n);
   }
-  if (sizes.size() < std::max<std::size_t>(fewest_sizes, 2)) return std::nullopt;
+  if (sizes.size() < std::max<std::size_t>(min_sizes, 2)) return std::nullopt;
   return fit_power_law(measurements);
 }
 

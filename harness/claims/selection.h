@@ -48,9 +48,9 @@ using RunGroups = std::map<std::string, Runs>;
 /// The run with the largest alpha. Precondition: rated runs, not empty.
 [[nodiscard]] const RunRecord& worst(const Runs& runs);
 
-/// Fits `value` as a power of n over the runs that have a positive one. Nothing with fewer than `fewest_sizes` sizes.
+/// Fits `value` as a power of n over the runs that have a positive one. Nothing with fewer than `min_sizes` sizes.
 using RunValue = std::function<std::optional<double>(const RunRecord&)>;
-[[nodiscard]] std::optional<PowerLaw> growth_of(const Runs& runs, const RunValue& value, std::size_t fewest_sizes = 3);
+[[nodiscard]] std::optional<PowerLaw> growth_of(const Runs& runs, const RunValue& value, std::size_t min_sizes = 3);
 
 /// "0.23 (0.22 to 0.24)", or the value alone where nothing is known of the noise.
 [[nodiscard]] std::string exponent_text(const PowerLaw& law);

@@ -7,7 +7,7 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kSmallestN = 12;
+constexpr Index kMinN = 12;
 constexpr double kClaimedFactor = 4;
 
 Finding judge(const StudyRecords& records) {
@@ -15,14 +15,14 @@ Finding judge(const StudyRecords& records) {
   finding.details.header = {"family", "sizes", "factor per point (95%)"};
   bool some_above = false, all_within = true;
   std::string figures;
-  for (const auto& [family, growth] : growth_factors(counting_runs(records), kSmallestN)) {
+  for (const auto& [family, growth] : growth_factors(counting_runs(records), kMinN)) {
     finding.rows.insert(finding.rows.end(), growth.runs.begin(), growth.runs.end());
     finding.details.rows.push_back({family, size_range(growth.runs), factor_text(growth.factor)});
     some_above = some_above || growth.factor.lower > kClaimedFactor;
     all_within = all_within && growth.factor.upper <= kClaimedFactor;
     figures += (figures.empty() ? "" : ", ") + family + " " + factor_text(growth.factor);
   }
-  finding.missing = "counts at three sizes of some family, from n = " + std::to_string(kSmallestN);
+  finding.missing = "counts at three sizes of some family, from n = " + std::to_string(kMinN);
   if (finding.rows.empty()) return finding;
   finding.missing = "some factor's interval holds 4; more sizes would narrow it";
   finding.verdict = some_above ? ClaimVerdict::refuted : all_within ? ClaimVerdict::holds : ClaimVerdict::undecided;

@@ -18,7 +18,7 @@ Runs counting_runs(const StudyRecords& records) {
   });
 }
 
-std::map<std::string, GrowthFactor> growth_factors(const Runs& runs, Index smallest_n) {
+std::map<std::string, GrowthFactor> growth_factors(const Runs& runs, Index min_n) {
   std::map<std::string, GrowthFactor> factors;
   for (const auto& [family, of_family] : by_family(runs)) {
     GrowthFactor growth;
@@ -28,7 +28,7 @@ std::map<std::string, GrowthFactor> growth_factors(const Runs& runs, Index small
     for (const RunRecord* run : of_family) {
       const std::optional<double> count = parse_number(run->triangulation_count);
       const bool can_be_fitted = count && *count > 0 && std::isfinite(*count);
-      if (run->n < smallest_n || !can_be_fitted || !instances.insert(run->instance_id).second) continue;
+      if (run->n < min_n || !can_be_fitted || !instances.insert(run->instance_id).second) continue;
       growth.runs.push_back(run);
       sizes.insert(run->n);
       // A power law in exp(n) is an exponential one in n.
@@ -63,7 +63,7 @@ namespace claims {
 
 namespace {
 
-constexpr Index kMostPoints = 37;  // of which the Catalan number fits
+constexpr Index kMaxPoints = 37;  // of which the Catalan number fits
 
 Finding judge(const StudyRecords& records) {
   Finding finding;
@@ -72,7 +72,7 @@ Finding judge(const StudyRecords& records) {
   std::size_t convex = 0, agreeing = 0;
   Index largest = 0;
   for (const RunRecord* run : finding.rows) {
-    const bool is_convex = is_convex_family(run->generator) && run->n <= kMostPoints;
+    const bool is_convex = is_convex_family(run->generator) && run->n <= kMaxPoints;
     const std::string catalan = is_convex ? catalan_number(run->n - 2) : "";
     finding.details.rows.push_back({run->algorithm, run->generator, std::to_string(run->n), std::to_string(run->seed),
                                     run->triangulation_count, catalan});
@@ -81,7 +81,7 @@ Finding judge(const StudyRecords& records) {
     agreeing += run->triangulation_count == catalan ? 1U : 0U;
     largest = std::max(largest, run->n);
   }
-  finding.missing = "counts in convex position (circle, integer_circle), n at most " + std::to_string(kMostPoints);
+  finding.missing = "counts in convex position (circle, integer_circle), n at most " + std::to_string(kMaxPoints);
   if (convex == 0) return finding;
   finding.missing = "counts on uniform points at three sizes, which would show that their number grows";
   const auto factors = growth_factors(finding.rows, 3);

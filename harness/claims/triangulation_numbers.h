@@ -17,8 +17,8 @@ struct GrowthFactor {
   Runs runs;  ///< those fitted
 };
 
-/// Per family with at least three sizes of `smallest_n` points or more, one run per instance.
-[[nodiscard]] std::map<std::string, GrowthFactor> growth_factors(const Runs& runs, Index smallest_n);
+/// Per family with at least three sizes of `min_n` points or more, one run per instance.
+[[nodiscard]] std::map<std::string, GrowthFactor> growth_factors(const Runs& runs, Index min_n);
 
 /// "4.36 (4.21 to 4.50)".
 [[nodiscard]] std::string factor_text(const Estimate& factor);

@@ -47,7 +47,7 @@ Finding judge_greedy(const StudyRecords& records) {
   Finding finding = judge_weight(
       finished_runs(
           records,
-          [](const RunRecord& run) { return run.generator == "report_example" && run.algorithm == "greedy_report"; }),
+          [](const RunRecord& run) { return run.generator == "report_example" && run.algorithm == "greedy_naive"; }),
       kGreedyWeight);
   if (!finding.rows.empty() && finding.rows.front()->optimal == "yes") finding.measured += ", the optimum itself";
   return finding;
@@ -70,7 +70,7 @@ Finding judge_insertion(const StudyRecords& records) {
 
 // The local search run: its state after 0, 1 and all flips.
 struct State {
-  const char* most_flips;
+  const char* max_flips;
   Printed perimeters;
 };
 constexpr std::array<State, 3> kStates = {
@@ -80,9 +80,9 @@ constexpr double kFlips = 2;
 
 Runs runs_of_state(const StudyRecords& records, const State& state) {
   return finished_runs(records, [&](const RunRecord& run) {
-    return run.generator == "local_search_figure" && run.algorithm == "flip_report" &&
+    return run.generator == "local_search_figure" && run.algorithm == "flip_naive" &&
            named_value(run.params, "start") == "local_search_figure_start.csv" &&
-           named_value(run.params, "most_flips") == state.most_flips;
+           named_value(run.params, "max_flips") == state.max_flips;
   });
 }
 
@@ -99,7 +99,7 @@ Finding judge_local_search(const StudyRecords& records) {
       finding.rows.push_back(run);
     }
   }
-  finding.missing = "a finished run from the report's start for each of most_flips = 0, 1, -1";
+  finding.missing = "a finished run from the report's start for each of max_flips = 0, 1, -1";
   if (!all_there) return finding;
   const std::optional<double> flips = named_number(finding.rows.back()->counters, "flips");
   finding.measured += " in " + fixed(flips.value_or(0), 0) + " flips";
@@ -113,10 +113,10 @@ Claim greedy_example() {
   return {"C1",
           "Greedy on the ten points A .. J gives the 12 listed triangles, total weight 70.9586",
           "5.1.3",
-          "greedy_report on report_example",
+          "greedy_naive on report_example",
           "reproduced: 12 triangles whose weight rounds to 70.9586, which one triangulation of these points has; "
           "refuted: any other",
-          "mwt generate report_example -o p.csv && mwt solve p.csv --algorithm greedy_report --with-optimum",
+          "mwt generate report_example -o p.csv && mwt solve p.csv --algorithm greedy_naive --with-optimum",
           judge_greedy};
 }
 
@@ -135,9 +135,9 @@ Claim local_search_example() {
   return {"C9",
           "The local search run of Figures 7-11: sums of perimeters 11.0751 -> 10.9347 -> 10.7929",
           "5.3.1",
-          "flip_report on local_search_figure, from the report's start, after 0, 1 and all flips",
+          "flip_naive on local_search_figure, from the report's start, after 0, 1 and all flips",
           "reproduced: the three sums round to the printed ones and the run ends after two flips; refuted: any differs",
-          "mwt generate local_search_figure -o p.csv && mwt solve p.csv --algorithm flip_report --param "
+          "mwt generate local_search_figure -o p.csv && mwt solve p.csv --algorithm flip_naive --param "
           "start=harness/studies/local_search_figure_start.csv",
           judge_local_search};
 }

@@ -27,7 +27,7 @@ enum ExitCode : int {
 };
 
 /// The most threads or processes that an option may ask for.
-inline constexpr int kMostWorkers = 1024;
+inline constexpr int kMaxWorkers = 1024;
 
 /// Declares what a command takes. Every `value` gets its value when the command line is parsed, before Command::run,
 /// and keeps its default if the option is not given.

@@ -134,7 +134,7 @@ TEST_F(Commands, MistakesInStudies) {
   write("bad.toml", "name = \"bad\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [10]\nalgorithms = [\"no\"]\n");
   expect_mistake("run bad.toml", "bad.toml:5: unknown algorithm 'no'");
   expect_mistake("run missing.toml", "missing.toml");
-  expect_mistake("run no_such_study", "report, report_full");
+  expect_mistake("run no_such_study", "claims, claims_full");
   EXPECT_FALSE(exists("results"));
 }
 
@@ -142,7 +142,7 @@ TEST_F(Commands, ARunWithFailuresEndsWithOne) {
   write("start.csv", "0,1,2\n");
   write("s.toml",
         "name = \"s\"\nsummary = \"x\"\nfamilies = [\"uniform\"]\nsizes = [8]\nmin_time_s = 0.001\n"
-        "algorithms = [\"delaunay\", { name = \"flip_report\", parameters = { start = \"start.csv\" } }]\n"
+        "algorithms = [\"delaunay\", { name = \"flip_naive\", parameters = { start = \"start.csv\" } }]\n"
         "[optimum]\nseek = false\n");
   const CommandResult result = mwt("run s.toml");
   EXPECT_EQ(result.exit_code, 1);

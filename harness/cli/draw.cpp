@@ -29,7 +29,7 @@ struct Options {
   int width_px = 800;
 };
 
-constexpr std::size_t kMostLabels = 50;
+constexpr std::size_t kMaxLabels = 50;
 
 // The edges of a file's triangulation, sorted, as positions in the point file.
 std::vector<Edge> edges_in_input(const std::string& file, const PointSet& set, const std::vector<Point>& input) {
@@ -90,7 +90,7 @@ int draw(const Options& options) {
   const std::vector<Index> hull = hull_in_input(set);
   SvgPicture picture{.points = input, .edges = edges, .underlay = other, .highlight = differing, .hull = hull};
   picture.title = options.triangles + (options.other.empty() ? "" : " over " + options.other);
-  picture.labels = options.labels || input.size() <= kMostLabels;
+  picture.labels = options.labels || input.size() <= kMaxLabels;
   picture.width_px = options.width_px;
   write_svg(options.output, picture);
   if (!is_standard_output(options.output)) std::cout << comparison(options, input, edges, other);

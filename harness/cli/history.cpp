@@ -20,14 +20,14 @@ struct Options {
   std::optional<std::string> output;
   bool csv = false;
   bool json = false;
-  std::optional<double> least_change;
+  std::optional<double> min_change;
 };
 
-std::string changes_text(const std::vector<Night>& nights, const std::vector<Change>& changes) {
+std::string changes_text(const std::vector<NightlyRun>& nightly_runs, const std::vector<Change>& changes) {
   if (changes.empty())
-    return "nothing has changed for good; nights in the history: " + std::to_string(nights.size()) + '\n';
+    return "nothing has changed for good; nights in the history: " + std::to_string(nightly_runs.size()) + '\n';
   std::string text;
-  for (const Change& change : changes) text += describe(change, nights) + '\n';
+  for (const Change& change : changes) text += describe(change, nightly_runs) + '\n';
   return text;
 }
 
@@ -36,13 +36,13 @@ std::string answer(const Options& options) {
     throw InputError("history has no action '" + options.action + "'; known: export, changes, series");
   if (options.action == "export" && !options.csv) throw InputError("give the form of the export: --csv");
   if (options.action == "series" && !options.json) throw InputError("give the form of the series: --json");
-  const std::vector<Night> nights = History(history_path(options.history), History::Mode::read).nights();
-  if (options.action == "export") return history_csv(nights);
+  const std::vector<NightlyRun> nightly_runs = History(history_path(options.history), History::Mode::read).nightly_runs();
+  if (options.action == "export") return history_csv(nightly_runs);
   ChangeOptions change_options;
-  if (options.least_change) change_options.least_change = *options.least_change / 100;
-  const std::vector<Change> changes = find_changes(nights, change_options);
-  if (options.action == "series") return series_json(changes, nights);
-  return options.json ? changes_json(changes, nights) : changes_text(nights, changes);
+  if (options.min_change) change_options.min_change = *options.min_change / 100;
+  const std::vector<Change> changes = find_changes(nightly_runs, change_options);
+  if (options.action == "series") return series_json(changes, nightly_runs);
+  return options.json ? changes_json(changes, nightly_runs) : changes_text(nightly_runs, changes);
 }
 
 int history(const Options& options) {
@@ -70,7 +70,7 @@ Command history_command() {
     declared.option("-o,--output", options->output, "write to this file instead of standard output");
     declared.flag("--csv", options->csv, "of export: comma-separated, one row per night, cell and measure");
     declared.flag("--json", options->json, "of changes and series: JSON");
-    declared.positive("--least-change", options->least_change,
+    declared.positive("--least-change", options->min_change,
                       "of changes: smaller steps of times and memory are not reported, in percent; 3 if not given");
   };
   return {"history", "Look into the history: export it, find what changed", declare,

@@ -49,8 +49,8 @@ HuntPlan plan_of(const Options& options, const Catalogue& catalogue) {
   plan.n = *options.n;
   plan.solver = &solver_of(options, catalogue, plan.n);
   for (const AlgorithmInfo* info : {plan.request.algorithm, plan.solver}) {
-    if (info->largest_n != 0 && plan.n > info->largest_n)
-      throw InputError(info->name + " takes at most " + std::to_string(info->largest_n) +
+    if (info->max_n != 0 && plan.n > info->max_n)
+      throw InputError(info->name + " takes at most " + std::to_string(info->max_n) +
                        " points; give a smaller --n");
   }
   plan.seed = options.seed;
@@ -134,7 +134,7 @@ Command hunt_command() {
                     "stop after so many per thread, 0: no limit; repeatable then");
     declared.option("--seed", options->seed, "seed of the search");
     declared.positive("--threads", options->threads, "climbers side by side, each with its own random numbers",
-                      kMostWorkers);
+                      kMaxWorkers);
     declared.option("--solver", options->solver,
                     "exact algorithm for the optimum; the fastest for that n if not given");
     declared.option("-o,--output", options->output,

@@ -46,8 +46,8 @@ Json json_of(const std::vector<GrowthLaw>& laws) {
                      {"measure", law.kind == GrowthLaw::Kind::power ? "exponent" : "alpha"},
                      {"lowest", law.lowest},
                      {"highest", law.highest},
-                     {"smallest_n", law.smallest_n},
-                     {"largest_n", law.largest_n}});
+                     {"min_n", law.min_n},
+                     {"max_n", law.max_n}});
   }
   return array;
 }
@@ -102,7 +102,7 @@ std::string to_json(std::span<const AlgorithmInfo> algorithms) {
                      {"time", info.time},
                      {"space", info.space},
                      {"exact", info.exactness == Exactness::exact},
-                     {"largest_n", info.largest_n},
+                     {"max_n", info.max_n},
                      {"parameters", json_of(info.parameters)}});
   }
   return text_of(array);
@@ -116,8 +116,8 @@ std::string to_json(std::span<const GeneratorInfo> generators) {
                      {"source", info.source},
                      {"stresses", info.stresses},
                      {"law", info.law},
-                     {"smallest_n", info.smallest_n},
-                     {"largest_n", info.largest_n},
+                     {"min_n", info.min_n},
+                     {"max_n", info.max_n},
                      {"fixed_n", info.fixed_n == 0 ? Json() : Json(info.fixed_n)},
                      {"seeded", info.seeded},
                      {"parameters", json_of(info.parameters)},

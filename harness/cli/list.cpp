@@ -30,7 +30,7 @@ std::string readable_text(std::span<const AlgorithmInfo> algorithms) {
   AlignedTable table({"algorithm and parameters", "kind", "largest n", "time", "what it is"}, {1, 3, 4});
   for (const AlgorithmInfo& info : algorithms) {
     table.add_row({with_defaults(info.name, info.parameters),
-                   info.exactness == Exactness::exact ? "exact" : "heuristic", limit_text(info.largest_n), info.time,
+                   info.exactness == Exactness::exact ? "exact" : "heuristic", limit_text(info.max_n), info.time,
                    info.summary});
   }
   return table.text_within(output_width());
@@ -40,7 +40,7 @@ std::string readable_text(std::span<const GeneratorInfo> generators) {
   AlignedTable table({"family and parameters", "n", "what it is"}, {2});
   for (const GeneratorInfo& info : generators) {
     const std::string sizes =
-        info.fixed_n != 0 ? std::to_string(info.fixed_n) : ">= " + std::to_string(info.smallest_n);
+        info.fixed_n != 0 ? std::to_string(info.fixed_n) : ">= " + std::to_string(info.min_n);
     table.add_row({with_defaults(info.name, info.parameters), sizes, info.summary});
   }
   return table.text_within(output_width());

@@ -23,7 +23,7 @@ esac
 )sh";
 
 // Stands for the dashboard: its options, for the tests to read.
-constexpr const char* kDashboard = "#!/bin/sh\nprintf '%s\\n' \"$@\" >results/nights/dashboard.html\n";
+constexpr const char* kDashboard = "#!/bin/sh\nprintf '%s\\n' \"$@\" >results/nightly runs/dashboard.html\n";
 
 class Nightly : public testing::CommandTest {
  protected:
@@ -45,25 +45,25 @@ class Nightly : public testing::CommandTest {
     std::filesystem::permissions(path(name), std::filesystem::perms::owner_all);
   }
 
-  /// A second later than any before: nights are named by the second.
-  int night(const std::string& arguments = "") { return shell("sleep 1.1; ./nightly " + arguments + " >.out 2>.err"); }
+  /// A second later than any before: nightly runs are named by the second.
+  int nightly_run(const std::string& arguments = "") { return shell("sleep 1.1; ./nightly " + arguments + " >.out 2>.err"); }
 
   [[nodiscard]] std::string accepted() const { return link("accepted"); }
   [[nodiscard]] std::string last() const { return link("last"); }
-  [[nodiscard]] std::string verdict() const { return read("results/nights/verdict.md"); }
-  [[nodiscard]] std::string dashboard() const { return read("results/nights/dashboard.html"); }
-  [[nodiscard]] bool has_program(const std::string& name) const { return exists("results/nights/" + name + "/mwt"); }
+  [[nodiscard]] std::string verdict() const { return read("results/nightly/verdict.md"); }
+  [[nodiscard]] std::string dashboard() const { return read("results/nightly/dashboard.html"); }
+  [[nodiscard]] bool has_program(const std::string& name) const { return exists("results/nightly/" + name + "/mwt"); }
 
  private:
   [[nodiscard]] std::string link(const std::string& name) const {
-    return std::filesystem::read_symlink(path("results/nights/" + name)).string();
+    return std::filesystem::read_symlink(path("results/nightly/" + name)).string();
   }
 };
 
 TEST_F(Nightly, TheFirstNightAndThoseThatAreNotSlowerAreAccepted) {
-  EXPECT_EQ(night(), 0) << read(".err");
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
   const std::string first = accepted();
-  EXPECT_EQ(night(), 0) << read(".err");
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
   EXPECT_NE(accepted(), first);
   EXPECT_EQ(accepted(), last());
   EXPECT_FALSE(has_program(first)) << "nobody runs it again";
@@ -72,64 +72,64 @@ TEST_F(Nightly, TheFirstNightAndThoseThatAreNotSlowerAreAccepted) {
   EXPECT_NE(dashboard().find("--state\nAccepted"), std::string::npos) << dashboard();
 }
 
-// A slow night became the base when its slowdown was not sure, and the good program was deleted.
+// A slow nightly run became the base when its slowdown was not sure, and the good program was deleted.
 TEST_F(Nightly, WhatIsNotExcludedIsNotAccepted) {
-  ASSERT_EQ(night(), 0);
+  ASSERT_EQ(nightly_run(), 0);
   const std::string first = accepted();
   for (const char* outcome : {"unclear", "not compared"}) {
     write("outcome", outcome);
-    EXPECT_EQ(night(), 0) << outcome << read(".err");
+    EXPECT_EQ(nightly_run(), 0) << outcome << read(".err");
     EXPECT_EQ(accepted(), first) << outcome;
     EXPECT_TRUE(has_program(first));
     EXPECT_NE(verdict().find("Not accepted"), std::string::npos) << verdict();
     EXPECT_NE(dashboard().find("--state\nNot accepted"), std::string::npos);
   }
-  EXPECT_EQ(night("--accept"), 0);
+  EXPECT_EQ(nightly_run("--accept"), 0);
   EXPECT_EQ(accepted(), last());
 }
 
 TEST_F(Nightly, ARegressionFailsAndIsNotAccepted) {
-  ASSERT_EQ(night(), 0);
+  ASSERT_EQ(nightly_run(), 0);
   const std::string first = accepted();
   write("outcome", "regression");
   write("compare_code", "1");
-  EXPECT_EQ(night(), 1);
+  EXPECT_EQ(nightly_run(), 1);
   EXPECT_EQ(accepted(), first);
   EXPECT_TRUE(has_program(first) && has_program(last()));
   EXPECT_NE(read(".err").find("a regression"), std::string::npos);
 }
 
-// The verdict and the dashboard of the night before, left as they were, would say that all is well.
+// The verdict and the dashboard of the nightly run before, left as they were, would say that all is well.
 TEST_F(Nightly, ANightThatFailsLeavesNoOldVerdict) {
-  ASSERT_EQ(night(), 0);
+  ASSERT_EQ(nightly_run(), 0);
   const std::string first = accepted();
   for (const auto& [file, code, step] :
        {std::tuple{"build_code", 3, "building"}, std::tuple{"run_code", 2, "the study"},
         std::tuple{"compare_code", 2, "comparing"}}) {
     const std::string before = read(file);
     write(file, std::to_string(code));
-    EXPECT_EQ(night(), code);
+    EXPECT_EQ(nightly_run(), code);
     EXPECT_EQ(accepted(), first);
     for (const std::string& text : {verdict(), dashboard(), read(".err")}) {
       EXPECT_NE(text.find(std::string("failed while ")), std::string::npos) << text;
       EXPECT_NE(text.find(step), std::string::npos) << text;
     }
-    EXPECT_FALSE(exists("results/nights/verdict.json"));
+    EXPECT_FALSE(exists("results/nightly/verdict.json"));
     write(file, before);
   }
 }
 
 TEST_F(Nightly, FailedRunsAreTheComparisonsMatter) {
   write("run_code", "1");
-  EXPECT_EQ(night(), 0) << read(".err");
-  EXPECT_NE(verdict().find("Some of its runs failed"), std::string::npos) << "nothing to compare the first night with";
-  EXPECT_EQ(night(), 0) << read(".err");
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
+  EXPECT_NE(verdict().find("Some of its runs failed"), std::string::npos) << "nothing to compare the first nightly run with";
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
 }
 
 TEST_F(Nightly, TwoNightsDoNotRunAtATime) {
-  std::filesystem::create_directories(path("results/nights"));
-  EXPECT_EQ(shell("flock results/nights/lock ./nightly >.out 2>.err"), 2);
-  EXPECT_NE(read(".err").find("another night is running here"), std::string::npos);
+  std::filesystem::create_directories(path("results/nightly"));
+  EXPECT_EQ(shell("flock results/nightly runs/lock ./nightly >.out 2>.err"), 2);
+  EXPECT_NE(read(".err").find("another nightly run is running here"), std::string::npos);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ Command run_command() {
     declared.option("--out", options->folder, "folder for the records; results/STUDY if not given");
     declared.flag("--dry-run", options->dry_run, "only say what would be run, and how long it may take");
     declared.flag("--resume", options->resume, "continue in a folder that has records: run only what is missing");
-    declared.positive("--jobs", options->jobs, "runs side by side; more than one disturbs the times", kMostWorkers);
+    declared.positive("--jobs", options->jobs, "runs side by side; more than one disturbs the times", kMaxWorkers);
     declared.flag("--quiet", options->quiet, "no table of alphas at the end; progress, warnings and failures only");
     declared.flag("--no-cache", options->no_cache, "seek every optimum anew; leave the optimum cache alone");
     declared.option("--shard", options->shard, "i/N: only the i-th of N parts; mwt merge joins them");

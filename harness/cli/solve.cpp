@@ -236,7 +236,7 @@ void declare(CommandOptions& declared, Options& options) {
   declared.required("--algorithm", options.algorithm, "name of an algorithm (mwt list algorithms)");
   declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
   declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
-  declared.positive("--threads", options.threads, "threads that the algorithm may use", kMostWorkers);
+  declared.positive("--threads", options.threads, "threads that the algorithm may use", kMaxWorkers);
   declared.positive("--time-limit", options.time_limit_s, "return the best result found within this many seconds");
   declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to compute alpha");
   declared.flag("--no-cache", options.no_cache, "seek that optimum anew; leave the optimum cache alone");

@@ -147,7 +147,7 @@ TEST_F(Solve, StartsFromAGivenTriangulation) {
   write("p.txt", "0 0\n4 0\n5 1\n0 1\n");
   write("start.csv", "0,1,2\n0,2,3\n");
   write("broken.csv", "0,1,2\n");
-  const std::string flip = "solve p.txt --algorithm flip_report --param start=";
+  const std::string flip = "solve p.txt --algorithm flip_naive --param start=";
   EXPECT_EQ(json_of(flip + "start.csv")["parameters"]["start"], "start.csv");
   expect_mistake(flip + "broken.csv", "broken.csv: not a triangulation");
   expect_mistake(flip + "missing.csv", "missing.csv");
@@ -163,7 +163,7 @@ TEST_F(Solve, AStudyRunsAndResumes) {
 summary = "two algorithms on two families"
 families = ["uniform", "grid"]
 sizes = [8]
-algorithms = ["delaunay", "greedy_report"]
+algorithms = ["delaunay", "greedy_naive"]
 min_time_s = 0.001
 )");
   EXPECT_NE(run("run tiny.toml").find("alpha by algorithm"), std::string::npos);
@@ -186,7 +186,7 @@ TEST_F(Solve, AFailedRunIsShownEvenWhenQuiet) {
 summary = "begins with what is no triangulation"
 families = ["uniform"]
 sizes = [8]
-algorithms = [{ name = "flip_report", parameters = { start = "start.csv" } }]
+algorithms = [{ name = "flip_naive", parameters = { start = "start.csv" } }]
 )");
   for (const char* command : {"run broken.toml --quiet", "run broken.toml --quiet --resume"}) {
     const CommandResult result = mwt(command);

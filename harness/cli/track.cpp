@@ -29,16 +29,16 @@ std::string word_for(History::Added added) {
 
 // All folders are read before the first one is added: a mistake in one leaves the history as it was.
 int track(const Options& options) {
-  std::vector<Night> nights;
+  std::vector<NightlyRun> nightly_runs;
   for (const std::string& folder : options.folders) {
-    for (Night& night : nights_of(read_results(folder))) nights.push_back(std::move(night));
+    for (NightlyRun& nightly_run : nightly_runs_of(read_results(folder))) nightly_runs.push_back(std::move(nightly_run));
   }
-  if (nights.empty()) throw InputError(options.folders.front() + ": has no runs");
+  if (nightly_runs.empty()) throw InputError(options.folders.front() + ": has no runs");
   make_folder_of(history_path(options.history));
   History history(history_path(options.history), History::Mode::write);
-  for (const Night& night : nights) {
-    const History::Added added = history.add(night);
-    std::cout << night.study << ' ' << night.git_commit << " on " << night.machine << ": " << night.values.size()
+  for (const NightlyRun& nightly_run : nightly_runs) {
+    const History::Added added = history.add(nightly_run);
+    std::cout << nightly_run.study << ' ' << nightly_run.git_commit << " on " << nightly_run.machine << ": " << nightly_run.values.size()
               << " values " << word_for(added) << '\n';
   }
   return kExitOk;

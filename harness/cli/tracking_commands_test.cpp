@@ -6,7 +6,7 @@
 
 #include "harness/cli/testing/commands_testing.h"
 #include "harness/io/text/csv.h"
-#include "harness/tracking/testing/synthetic_nights_testing.h"
+#include "harness/tracking/testing/synthetic_nightly_runs.h"
 
 namespace mwt {
 namespace {
@@ -15,18 +15,18 @@ using testing::CommandResult;
 
 class TrackingCommands : public testing::CommandTest {
  protected:
-  void write_night(int night, const testing::Tamper& tamper = {}) const {
-    testing::write_synthetic_night(path("n" + std::to_string(night)), testing::synthetic_runs({}, night, 1, tamper));
+  void write_nightly_run(int nightly_run, const testing::Tamper& tamper = {}) const {
+    testing::write_synthetic_nightly_run(path("n" + std::to_string(nightly_run)), testing::synthetic_runs({}, nightly_run, 1, tamper));
   }
 };
 
-void heavier_flip(int night, RunRecord& run, RandomEngine&) {
-  if (night == 1 && run.algorithm == "flip") *run.weight_lower += 1, *run.weight_upper += 1;
+void heavier_flip(int nightly_run, RunRecord& run, RandomEngine&) {
+  if (nightly_run == 1 && run.algorithm == "flip") *run.weight_lower += 1, *run.weight_upper += 1;
 }
 
 TEST_F(TrackingCommands, CompareExitsWithOneOnARegression) {
-  write_night(0);
-  write_night(1, heavier_flip);
+  write_nightly_run(0);
+  write_nightly_run(1, heavier_flip);
   const CommandResult worse = mwt("compare n0 n1");
   EXPECT_EQ(worse.exit_code, 1) << worse.errors;
   EXPECT_TRUE(worse.output.starts_with("8 regressions (flip on clustered n=100 seed=1: ")) << worse.output;
@@ -40,7 +40,7 @@ TEST_F(TrackingCommands, CompareExitsWithOneOnARegression) {
 }
 
 TEST_F(TrackingCommands, MistakesOfCompare) {
-  write_night(0);
+  write_nightly_run(0);
   expect_mistake("compare", "compare takes two folders");
   expect_mistake("compare n0", "compare takes two folders");
   expect_mistake("compare n0 missing", "missing/runs.csv");
@@ -49,7 +49,7 @@ TEST_F(TrackingCommands, MistakesOfCompare) {
   expect_mistake("compare n0 n0 --threshold nan", "'nan' is not a number");
   expect_mistake("compare --build-a .", "belong together");
   expect_mistake("compare --build-a . --build-b .", "--study");
-  expect_mistake("compare --build-a . --build-b . --study report", "mwt: no program is there");
+  expect_mistake("compare --build-a . --build-b . --study claims", "mwt: no program is there");
 }
 
 TEST_F(TrackingCommands, TwoBuildsAreRunInTurn) {
@@ -78,7 +78,7 @@ TEST_F(TrackingCommands, PointFilesAndStartsAreRunInTurnToo) {
   write("p[1].txt", "0 0\n4 0\n4.5 3\n0 3\n");
   write("start.csv", "0,1,2\n0,2,3\n");
   write("s.toml",
-        "name = \"s\"\nsummary = \"x\"\nalgorithms = [\"delaunay\", { name = \"flip_report\", parameters = { start = "
+        "name = \"s\"\nsummary = \"x\"\nalgorithms = [\"delaunay\", { name = \"flip_naive\", parameters = { start = "
         "\"start.csv\" } }]\nmin_time_s = 0.0001\n[instances]\nfolder = \".\"\nfiles = [\"*.txt\"]\n");
   const CommandResult result = mwt("compare --build-a " MWT_EXECUTABLE " --build-b " MWT_EXECUTABLE
                                    " --study s.toml --out ab --repetitions 1 --json");
@@ -127,8 +127,8 @@ TEST_F(TrackingCommands, TheTimeForRunsInTurnIsLimited) {
 }
 
 TEST_F(TrackingCommands, WhatTheStudyDoesNotHaveKeepsItsVerdict) {
-  write_night(0);
-  write_night(1, [](int, RunRecord& run, RandomEngine&) {
+  write_nightly_run(0);
+  write_nightly_run(1, [](int, RunRecord& run, RandomEngine&) {
     if (run.algorithm == "flip") *run.wall_time_s *= 3;
   });
   EXPECT_EQ(mwt("compare n0 n1").exit_code, 1);
@@ -153,15 +153,15 @@ TEST_F(TrackingCommands, ABuildThatFailsIsNamed) {
 }
 
 TEST_F(TrackingCommands, TrackIsIdempotentAndExportsEverything) {
-  write_night(0);
-  write_night(1);
+  write_nightly_run(0);
+  write_nightly_run(1);
   EXPECT_NE(mwt("track n1 n0").output.find("values added"), std::string::npos);
   const CommandResult again = mwt("track n1");
   EXPECT_EQ(again.exit_code, 0) << again.errors;
   EXPECT_NE(again.output.find("values known already"), std::string::npos) << again.output;
   EXPECT_TRUE(exists("results/history.sqlite"));
 
-  EXPECT_EQ(mwt("history changes").output, "nothing has changed for good; nights in the history: 2\n");
+  EXPECT_EQ(mwt("history changes").output, "nothing has changed for good; nightly runs in the history: 2\n");
   const CommandResult exported = mwt("history export --csv");
   const std::vector<CsvRow> rows = parse_csv(exported.output);
   const std::size_t cells = 6 * 2 * 2 * 2, measures = 7;
@@ -173,9 +173,9 @@ TEST_F(TrackingCommands, TrackIsIdempotentAndExportsEverything) {
 }
 
 TEST_F(TrackingCommands, HistoryTellsWhatChanged) {
-  for (int night = 0; night < 6; ++night) {
-    write_night(night, [](int this_night, RunRecord& run, RandomEngine&) {
-      if (this_night >= 3 && run.algorithm == "flip") *run.alpha_lower += 0.25, *run.alpha_upper += 0.25;
+  for (int nightly_run = 0; nightly_run < 6; ++nightly_run) {
+    write_nightly_run(nightly_run, [](int this_nightly_run, RunRecord& run, RandomEngine&) {
+      if (this_nightly_run >= 3 && run.algorithm == "flip") *run.alpha_lower += 0.25, *run.alpha_upper += 0.25;
     });
   }
   EXPECT_EQ(mwt("track n0 n1 n2 n3 n4 n5 --history h.sqlite").exit_code, 0);
@@ -186,7 +186,7 @@ TEST_F(TrackingCommands, HistoryTellsWhatChanged) {
   EXPECT_EQ(changes[0]["commit"], testing::synthetic_commit(3));
   EXPECT_EQ(changes[0]["steps"].size(), 4u);
   const auto all = nlohmann::json::parse(mwt("history series --history h.sqlite --json").output);
-  EXPECT_EQ(all["nights"].size(), 6u);
+  EXPECT_EQ(all["nightly_runs"].size(), 6u);
   EXPECT_EQ(all["series"].size(), 6u * 4 * 7) << "algorithms, instances without their seeds, measures";
   EXPECT_EQ(all["series"][0]["values"].size(), 6u);
   EXPECT_EQ(all["changes"], changes);

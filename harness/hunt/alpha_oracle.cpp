@@ -48,8 +48,8 @@ Request request_for(const AlgorithmInfo& solver) {
 }  // namespace
 
 const AlgorithmInfo& solver_for_hunt(const Catalogue& catalogue, Index n) {
-  constexpr Index kLargestForSubsets = 13;
-  return catalogue.algorithm(n <= kLargestForSubsets ? "subset_dp" : "exact");
+  constexpr Index kMaxForSubsets = 13;
+  return catalogue.algorithm(n <= kMaxForSubsets ? "subset_dp" : "exact");
 }
 
 AlphaOracle::AlphaOracle(Request request, const AlgorithmInfo& solver)

@@ -28,10 +28,10 @@ constexpr std::string_view kStyle =
     "</style>\n";
 
 constexpr double kMarginPx = 24;
-constexpr double kSmallestHeightPx = 24;
+constexpr double kMinHeightPx = 24;
 constexpr double kTallest = 2;  // height over width
-constexpr int kSmallestWidthPx = 100;
-constexpr std::size_t kMostLabels = 50;
+constexpr int kMinWidthPx = 100;
+constexpr std::size_t kMaxLabels = 50;
 
 // Maps points to pixels: scaled by a power of two first, exactly, so that no difference overflows or underflows.
 class Mapping {
@@ -49,7 +49,7 @@ class Mapping {
     }
     unit_ = std::max(high.x - low_.x, (high.y - low_.y) / kTallest);
     used_ = {in_pixels(high.x - low_.x), in_pixels(high.y - low_.y)};
-    height_px_ = std::max(used_.y, kSmallestHeightPx) + 2 * kMarginPx;
+    height_px_ = std::max(used_.y, kMinHeightPx) + 2 * kMarginPx;
     origin_ = {(width_px - used_.x) / 2, (height_px_ + used_.y) / 2};
   }
 
@@ -98,9 +98,9 @@ Sizes sizes_for(double spacing_px) {
 
 void require_drawable(const SvgPicture& picture) {
   if (picture.points.empty()) throw InputError("picture: no points to draw");
-  if (picture.width_px < kSmallestWidthPx) {
+  if (picture.width_px < kMinWidthPx) {
     throw InputError("picture: a width of " + std::to_string(picture.width_px) + " px; use at least " +
-                     std::to_string(kSmallestWidthPx));
+                     std::to_string(kMinWidthPx));
   }
   for (const Point& p : picture.points) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw InputError("picture: a coordinate is not finite");
@@ -256,7 +256,7 @@ void write_svg(const std::string& path, Points points, const Triangulation& tria
   const std::vector<Index> hull = convex_hull(points);
   SvgPicture picture{.points = points, .edges = edges, .hull = hull};
   picture.title = "Triangulation of " + std::to_string(points.size()) + " points";
-  picture.labels = points.size() <= kMostLabels;
+  picture.labels = points.size() <= kMaxLabels;
   write_svg(path, picture);
 }
 

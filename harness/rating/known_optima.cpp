@@ -82,7 +82,7 @@ bool is_disproved(const InstanceRecord& record) { return record.optimum_note.sta
 void reject(RunRecord& record, const Disproof& disproof) {
   record.status = RunStatus::error;
   record.message = disproof.text();
-  record.yardstick_time_s.reset();
+  record.delaunay_time_s.reset();
   clear_rating(record);
 }
 

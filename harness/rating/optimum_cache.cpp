@@ -20,7 +20,7 @@ namespace mwt {
 
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{1} << 16;  // bytes; far above any that was stored
+constexpr std::size_t kMaxFile = std::size_t{1} << 16;  // bytes; far above any that was stored
 
 // The file: what it is of, what is known, where that comes from, and a hash of all that.
 std::string head_of(const OptimumKey& key) {
@@ -86,7 +86,7 @@ std::optional<std::string> read_small_file(const std::string& path) {
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return std::nullopt;
   if (!std::filesystem::is_regular_file(status)) return std::string();
-  std::string content(kLargestFile, '\0');
+  std::string content(kMaxFile, '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(content.data(), static_cast<std::streamsize>(content.size()));
   content.resize(static_cast<std::size_t>(file.gcount()));

@@ -153,15 +153,15 @@ std::vector<const AlgorithmInfo*> optimum_sources_for(const Catalogue& catalogue
   std::vector<const AlgorithmInfo*> result;
   for (const OptimumSource& source : sources) {
     const AlgorithmInfo& info = exact_algorithm(catalogue, source);
-    if (n <= largest_n_for(info, source.largest_n)) result.push_back(&info);
+    if (n <= max_n_for(info, source.max_n)) result.push_back(&info);
   }
   if (!sources.empty()) return result;
   for (const AlgorithmInfo& info : catalogue.algorithms()) {
-    const bool takes_it = n <= largest_n_for(info, {}) && (in_convex_position || !info.convex_position_only);
+    const bool takes_it = n <= max_n_for(info, {}) && (in_convex_position || !info.convex_position_only);
     if (info.exactness == Exactness::exact && takes_it) result.push_back(&info);
   }
   const auto rank = [](const AlgorithmInfo& info) {
-    return std::pair(info.convex_position_only, largest_n_for(info, {}));
+    return std::pair(info.convex_position_only, max_n_for(info, {}));
   };
   std::stable_sort(result.begin(), result.end(),
                    [&](const AlgorithmInfo* a, const AlgorithmInfo* b) { return rank(*a) > rank(*b); });

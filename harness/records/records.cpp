@@ -123,7 +123,7 @@ const std::vector<Column<RunRecord>>& run_columns() {
       column("triangulation_count", &R::triangulation_count),
       column("phases", &R::phases),
       column("counters", &R::counters),
-      time_column("yardstick_time_s", &R::yardstick_time_s),
+      time_column("delaunay_time_s", &R::delaunay_time_s),
       column("stop_reason", &R::stop_reason),
   };
   return columns;

@@ -69,7 +69,7 @@ struct RunRecord {
   std::string triangulation_count;
   std::string phases;
   std::string counters;
-  std::optional<double> yardstick_time_s;
+  std::optional<double> delaunay_time_s;
   std::optional<StopReason> stop_reason;
 };
 

@@ -95,7 +95,7 @@ std::string mistake(const std::string& column, const std::string& text) {
 }
 
 TEST(Records, TimesAreFiniteAndNotNegative) {
-  for (const char* column : {"wall_time_s", "cpu_time_s", "yardstick_time_s", "time_limit_s"}) {
+  for (const char* column : {"wall_time_s", "cpu_time_s", "delaunay_time_s", "time_limit_s"}) {
     EXPECT_EQ(mistake(column, "0.25"), "");
     for (const char* text : {"nan", "-nan", "inf", "-1", "1e999", "1.5s", " 1"})
       EXPECT_EQ(mistake(column, text), "'" + std::string(text) + "' is no " + column);

@@ -20,7 +20,7 @@ double p95(std::span<const double> values) { return quantile(values, 0.95); }
 
 std::optional<Statistic> statistic(const std::vector<double>& observations, const Function& function) {
   if (observations.empty()) return std::nullopt;
-  if (observations.size() < kFewestForInterval) {
+  if (observations.size() < kMinForInterval) {
     const double value = function(observations);
     return Statistic{{value, value, value}, false};
   }
@@ -33,7 +33,7 @@ CellSummary summarise(const Cell& cell) {
   CellSummary summary;
   summary.cell = cell;
   summary.time = statistic(cell.times, median);
-  summary.yardsticks = statistic(cell.yardsticks, median);
+  summary.over_delaunay = statistic(cell.over_delaunay, median);
   if (!cell.peak_rss_bytes.empty()) summary.peak_rss_bytes = median(cell.peak_rss_bytes);
   summary.alpha_mean = statistic(cell.alphas, mean);
   summary.alpha_median = statistic(cell.alphas, median);

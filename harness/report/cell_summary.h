@@ -13,7 +13,7 @@ namespace mwt {
 
 /// Fewer observations give no interval: the bootstrap's would be far too short. Even that of the median of five covers
 /// the truth in at most 94% of all cases (it lies within their range in 1 - 2 / 2^5).
-inline constexpr std::size_t kFewestForInterval = 5;
+inline constexpr std::size_t kMinForInterval = 5;
 
 /// A statistic of the observations, with its 95% bootstrap interval. Without one both ends equal the value.
 struct Statistic {
@@ -25,7 +25,7 @@ struct Statistic {
 struct CellSummary {
   Cell cell;
   std::optional<Statistic> time;         ///< median, s
-  std::optional<Statistic> yardsticks;   ///< median of time over the yardstick's
+  std::optional<Statistic> over_delaunay;   ///< median of time over the Delaunay time's
   std::optional<double> peak_rss_bytes;  ///< median
   std::optional<Statistic> alpha_mean;
   std::optional<Statistic> alpha_median;

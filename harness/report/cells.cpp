@@ -16,14 +16,14 @@ namespace {
 // The runs of one cell on one instance.
 struct Observed {
   std::vector<double> times;
-  std::vector<double> yardsticks;
+  std::vector<double> over_delaunay;
   std::vector<double> peaks;
   std::vector<double> alphas;
   bool all_optimal = true;
 
   void add(const RunRecord& run) {
     if (run.wall_time_s) times.push_back(*run.wall_time_s);
-    if (run.wall_time_s && run.yardstick_time_s) yardsticks.push_back(*run.wall_time_s / *run.yardstick_time_s);
+    if (run.wall_time_s && run.delaunay_time_s) over_delaunay.push_back(*run.wall_time_s / *run.delaunay_time_s);
     if (run.peak_rss_bytes) peaks.push_back(static_cast<double>(*run.peak_rss_bytes));
     // Against a mere lower bound alpha would say more about the bound than about the algorithm.
     if (!run.alpha_upper || run.optimality != "proved") return;
@@ -50,12 +50,12 @@ struct Collected {
     Cell result = cell;
     result.instances = by_seed.size();
     result.times = observations(&Observed::times);
-    result.yardsticks = observations(&Observed::yardsticks);
+    result.over_delaunay = observations(&Observed::over_delaunay);
     result.peak_rss_bytes = observations(&Observed::peaks);
     for (const auto& [seed, observed] : by_seed) {
       if (observed.alphas.empty()) continue;
       result.alphas.push_back(median(observed.alphas));
-      result.largest_alpha = std::max(result.largest_alpha, quantile(observed.alphas, 1));
+      result.max_alpha = std::max(result.max_alpha, quantile(observed.alphas, 1));
       if (observed.all_optimal) ++result.optimal;
     }
     return result;

@@ -12,7 +12,7 @@ namespace mwt {
 
 namespace {
 
-constexpr std::size_t kMostLines = 50;
+constexpr std::size_t kMaxLines = 50;
 constexpr std::size_t kLongestMessage = 300;
 
 // Algorithm, parameters, status, and the message without its numbers.
@@ -61,9 +61,9 @@ std::string failure_table(const std::vector<RunRecord>& runs) {
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const RunsOfAKind& a, const RunsOfAKind& b) { return a.count > b.count; });
   AlignedTable table({"failed", "how", "runs", "first on", "message"}, {1, 3, 4});
-  for (std::size_t i = 0; i < std::min(ordered.size(), kMostLines); ++i) table.add_row(row_of(ordered[i]));
+  for (std::size_t i = 0; i < std::min(ordered.size(), kMaxLines); ++i) table.add_row(row_of(ordered[i]));
   if (table.is_empty()) return "";
-  const std::size_t left_out = ordered.size() - std::min(ordered.size(), kMostLines);
+  const std::size_t left_out = ordered.size() - std::min(ordered.size(), kMaxLines);
   return table.text() + (left_out == 0 ? "" : std::to_string(left_out) + " more kinds of failure: see runs.csv\n");
 }
 

@@ -20,25 +20,25 @@ std::optional<Growth> growth_in(std::span<const Cell> series, std::vector<double
       sizes.insert(cell.key.n);
     }
   }
-  if (sizes.size() < kFewestSizes) return std::nullopt;
+  if (sizes.size() < kMinSizes) return std::nullopt;
   Growth growth;
   growth.sizes = sizes.size();
   growth.observations = measurements.size();
-  growth.smallest_n = *sizes.begin();
-  growth.largest_n = *sizes.rbegin();
+  growth.min_n = *sizes.begin();
+  growth.max_n = *sizes.rbegin();
   growth.law = fit_power_law(measurements).value();
   growth.lack_of_fit = test_lack_of_fit(measurements, growth.law);
   return growth;
 }
 
 constexpr double kLevelOfFit = 0.01;
-constexpr double kSmallestMisfit = 1.1;
+constexpr double kMinMisfit = 1.1;
 
 }  // namespace
 
 Fit Growth::fit() const {
   if (!lack_of_fit.p_value) return Fit::untested;
-  const bool is_off = *lack_of_fit.p_value < kLevelOfFit && lack_of_fit.largest_misfit > kSmallestMisfit;
+  const bool is_off = *lack_of_fit.p_value < kLevelOfFit && lack_of_fit.max_misfit > kMinMisfit;
   return is_off ? Fit::no : Fit::yes;
 }
 

@@ -11,7 +11,7 @@
 namespace mwt {
 
 /// A power law needs at least this many sizes; through two of them every line fits.
-inline constexpr std::size_t kFewestSizes = 3;
+inline constexpr std::size_t kMinSizes = 3;
 
 /// Whether the medians of the sizes lie on a power law. `no`: the F test of lack of fit rejects at 1%, and the law
 /// misses some median by more than a tenth; its exponent is then the slope of a line through a curve, and the
@@ -21,8 +21,8 @@ enum class Fit { yes, no, untested };
 struct Growth {
   std::size_t sizes = 0;
   std::size_t observations = 0;
-  Index smallest_n = 0;
-  Index largest_n = 0;
+  Index min_n = 0;
+  Index max_n = 0;
   PowerLaw law;
   LackOfFit lack_of_fit;
 

@@ -28,8 +28,8 @@ Alphas alphas_for(const GeneratorInfo& family, const GrowthLaw& law, const std::
   std::set<std::string> seen;
   for (const RunRecord& run : runs) {
     const bool is_meant = run.generator == family.name && run.generator_params == family_params &&
-                          run.algorithm == law.algorithm && run.params == params && run.n >= law.smallest_n &&
-                          run.n <= law.largest_n;
+                          run.algorithm == law.algorithm && run.params == params && run.n >= law.min_n &&
+                          run.n <= law.max_n;
     if (!is_meant || run.status != RunStatus::ok || !run.alpha_lower || !run.alpha_upper) continue;
     const Interval alpha{*run.alpha_lower, *run.alpha_upper};
     if (alpha.relative_width() <= kWidestAlpha && seen.insert(run.instance_id).second) alphas.emplace(run.n, alpha);
@@ -57,7 +57,7 @@ Interval neighbouring_slopes(const Alphas& alphas) {
 }
 
 void test_power(LawFinding& finding, const Alphas& alphas) {
-  if (finding.sizes < 3 || finding.largest_n / 4 < finding.smallest_n) return;
+  if (finding.sizes < 3 || finding.max_n / 4 < finding.min_n) return;
   std::vector<Measurement> measurements;
   for (const auto& [n, alpha] : alphas) measurements.push_back({static_cast<double>(n), alpha.middle()});
   const PowerLaw fit = fit_power_law(measurements).value();
@@ -91,8 +91,8 @@ LawFinding tested(const GeneratorInfo& family, const GrowthLaw& law, const Alpha
   finding.family = &family;
   finding.law = &law;
   for (auto it = alphas.begin(); it != alphas.end(); it = alphas.upper_bound(it->first)) ++finding.sizes;
-  finding.smallest_n = alphas.begin()->first;
-  finding.largest_n = alphas.rbegin()->first;
+  finding.min_n = alphas.begin()->first;
+  finding.max_n = alphas.rbegin()->first;
   if (law.kind == GrowthLaw::Kind::power) {
     test_power(finding, alphas);
   } else {
@@ -145,7 +145,7 @@ std::string growth_law_table(const std::vector<LawFinding>& findings) {
     const std::string measured = is_power ? fixed(finding.measured.value, 3) + ' ' + interval : interval;
     table.add_row({with_parameters(finding.family->name, law.parameters),
                    with_parameters(law.algorithm, law.algorithm_parameters),
-                   std::to_string(finding.smallest_n) + ".." + std::to_string(finding.largest_n),
+                   std::to_string(finding.min_n) + ".." + std::to_string(finding.max_n),
                    std::to_string(finding.sizes),
                    (is_power ? "exponent " : "alpha ") + interval_text(law.lowest, law.highest, is_power ? 2 : 4),
                    is_known ? measured : "-", std::string(name_of(finding.agreement))});

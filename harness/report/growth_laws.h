@@ -26,8 +26,8 @@ struct LawFinding {
   const GeneratorInfo* family = nullptr;
   const GrowthLaw* law = nullptr;
   std::size_t sizes = 0;  ///< different n with a usable alpha
-  Index smallest_n = 0;
-  Index largest_n = 0;
+  Index min_n = 0;
+  Index max_n = 0;
 
   /// Of a power law: the fitted exponent. Its interval is the bootstrap's where sizes were measured on several
   /// instances, else the range of the slopes from each size to the next. Of a range: its middle, smallest and largest

@@ -21,8 +21,8 @@ class GrowthLaws : public testing::Test {
     law_.algorithm = "slow_hand";
     law_.lowest = .95;
     law_.highest = 1.05;
-    law_.smallest_n = 100;
-    law_.largest_n = 10'000;
+    law_.min_n = 100;
+    law_.max_n = 10'000;
   }
 
   void add(Index n, double alpha_lower, double alpha_upper, const std::string& seed = "") {
@@ -141,10 +141,10 @@ TEST(StatedGrowthLaws, name_known_algorithms_parameters_and_sizes) {
       SCOPED_TRACE(family.name + ' ' + law.algorithm);
       const AlgorithmInfo& algorithm = find_algorithm(law.algorithm);
       EXPECT_NO_THROW(Parameters(algorithm.name, algorithm.parameters, law.algorithm_parameters));
-      EXPECT_NO_THROW(generate(family.name, law.smallest_n, 1, law.parameters));
-      EXPECT_LE(law.smallest_n, law.largest_n);
-      EXPECT_LE(law.largest_n, family.largest_n);
-      EXPECT_LE(law.largest_n, algorithm.largest_n);
+      EXPECT_NO_THROW(generate(family.name, law.min_n, 1, law.parameters));
+      EXPECT_LE(law.min_n, law.max_n);
+      EXPECT_LE(law.max_n, family.max_n);
+      EXPECT_LE(law.max_n, algorithm.max_n);
       EXPECT_LE(law.lowest, law.highest);
     }
   }

@@ -26,7 +26,7 @@ std::string list_of(const std::map<std::string, std::size_t>& runs) {
 void empty_times(RunRecord& run) {
   run.wall_time_s.reset();
   run.cpu_time_s.reset();
-  run.yardstick_time_s.reset();
+  run.delaunay_time_s.reset();
 }
 
 class Machines {
@@ -46,7 +46,7 @@ class Machines {
 
 using Counts = std::map<std::string, std::size_t>;  // successful runs
 
-std::string most_frequent(const Counts& counts) {
+std::string max_frequent(const Counts& counts) {
   return std::max_element(counts.begin(), counts.end(),
                           [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
@@ -61,7 +61,7 @@ std::vector<std::string> keep_times_of_one_machine(StudyRecords& records) {
     if (run.status == RunStatus::ok) ++on_machine[machines.of(run)];
   }
   if (on_machine.empty()) return {};
-  const std::string chosen = most_frequent(on_machine);
+  const std::string chosen = max_frequent(on_machine);
   for (RunRecord& run : records.runs) {
     if (machines.of(run) != chosen) {
       empty_times(run);

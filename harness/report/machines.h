@@ -8,7 +8,7 @@
 
 namespace mwt {
 
-/// Empties the times (wall, CPU, yardstick) of all runs but those of the machine that has most successful ones (of
+/// Empties the times (wall, CPU, Delaunay time) of all runs but those of the machine that has most successful ones (of
 /// equal numbers the first by name). Runs side by side count as another machine: they disturb each other. Everything
 /// else about the runs stays.
 ///

@@ -67,7 +67,7 @@ TEST(Cells, RepetitionsAreNoFurtherObservations) {
   EXPECT_EQ(two_instances[0].times, (std::vector<double>{3, 5}));
   EXPECT_EQ(two_instances[0].alphas, (std::vector<double>{2, 1}));
   EXPECT_EQ(two_instances[0].optimal, 1u);
-  EXPECT_EQ(two_instances[0].largest_alpha, 2);
+  EXPECT_EQ(two_instances[0].max_alpha, 2);
   const std::vector<Cell> one_instance = cells_of({ok_run("sweep", 10, 1, 1, 2), ok_run("sweep", 10, 1, 3, 2)});
   EXPECT_EQ(one_instance[0].times, (std::vector<double>{1, 3})) << "nothing else tells the noise";
   EXPECT_EQ(one_instance[0].alphas.size(), 1u);
@@ -95,10 +95,10 @@ TEST(CellSummary, KnownAnswers) {
   EXPECT_NEAR(summary.alpha_mean->estimate.value, 1.5, 1e-12);
   EXPECT_NEAR(summary.alpha_median->estimate.value, 1.5, 1e-12);
   EXPECT_NEAR(summary.alpha_p95->estimate.value, 1.95, 1e-12);
-  EXPECT_EQ(summary.cell.largest_alpha, 2);
+  EXPECT_EQ(summary.cell.max_alpha, 2);
   EXPECT_NEAR(*summary.optimal_share, 1.0 / 21, 1e-12);
   EXPECT_GT(summary.optimal_range->upper, 0.2);
-  EXPECT_FALSE(summary.yardsticks);
+  EXPECT_FALSE(summary.over_delaunay);
 }
 
 TEST(CellSummary, FewObservationsHaveNoInterval) {
@@ -107,10 +107,10 @@ TEST(CellSummary, FewObservationsHaveNoInterval) {
   EXPECT_FALSE(summary.time->has_interval);
 }
 
-TEST(CellSummary, TimesAreAlsoToldInYardsticks) {
+TEST(CellSummary, TimesAreAlsoGivenOverDelaunay) {
   RunRecord run = ok_run("sweep", 10, 1, 6, 1);
-  run.yardstick_time_s = 4;
-  EXPECT_EQ(summarise(cells_of({run})[0]).yardsticks->estimate.value, 1.5);
+  run.delaunay_time_s = 4;
+  EXPECT_EQ(summarise(cells_of({run})[0]).over_delaunay->estimate.value, 1.5);
 }
 
 std::vector<RunRecord> power_law_runs() {
@@ -134,7 +134,7 @@ TEST(Growth, FindsTheExponents) {
   EXPECT_NEAR(growth[0].alpha->law.exponent.value, 0, 1e-12);
   EXPECT_EQ(growth[0].time->sizes, 4u);
   EXPECT_EQ(growth[0].time->observations, 20u);
-  EXPECT_EQ(growth[0].time->largest_n, 10000u);
+  EXPECT_EQ(growth[0].time->max_n, 10000u);
 }
 
 TEST(Tables, LookAsTheyShould) {
@@ -154,7 +154,7 @@ TEST(Tables, LookAsTheyShould) {
             "  algorithm   n  runs  failed  median time  95%  alpha mean  95%   median      p95      max  optimal\n"
             "  sweep      10     3       1      2.00 ms    -     1.25000    -  1.25000  1.47500  1.50000      50%\n");
   EXPECT_EQ(growth_tables(growth_of(cells), labels), "");
-  runs[0].yardstick_time_s = runs[1].yardstick_time_s = 1e-3;
+  runs[0].delaunay_time_s = runs[1].delaunay_time_s = 1e-3;
   EXPECT_NE(cell_tables(summarise(cells_of(runs)), labels).find("50%               2.00\n"), std::string::npos);
 }
 
@@ -297,7 +297,7 @@ StudyRecords runs_of_two_machines() {
   }
   for (RunRecord& run : records.runs) {
     run.env_id = run.seed == 1 ? "Abacus" : "Difference Engine";
-    run.cpu_time_s = run.yardstick_time_s = run.wall_time_s;
+    run.cpu_time_s = run.delaunay_time_s = run.wall_time_s;
   }
   return records;
 }
@@ -316,7 +316,7 @@ TEST(Report, TimesOfSeveralMachinesAreNotTakenTogether) {
   for (const RunRecord& run : data.records.runs) {
     EXPECT_EQ(run.wall_time_s.has_value(), run.env_id == chosen);
     EXPECT_EQ(run.cpu_time_s.has_value(), run.env_id == chosen);
-    EXPECT_EQ(run.yardstick_time_s.has_value(), run.env_id == chosen);
+    EXPECT_EQ(run.delaunay_time_s.has_value(), run.env_id == chosen);
   }
   std::ostringstream tables, results;
   for (const ReportPart& part : report_tables()) part(data, tables);

@@ -67,14 +67,14 @@ Columns<CellSummary> summary_columns() {
   columns.emplace_back("not_applicable", count(&Cell::not_applicable));
   columns.emplace_back("instances", count(&Cell::instances));
   add_statistic(columns, "wall_time_median_s", &Row::time);
-  add_statistic(columns, "time_over_yardstick_median", &Row::yardsticks);
+  add_statistic(columns, "time_over_delaunay_median", &Row::over_delaunay);
   columns.emplace_back("peak_rss_median_bytes", [](const Row& row) { return text_of(row.peak_rss_bytes); });
   columns.emplace_back("rated_instances", [](const Row& row) { return std::to_string(row.cell.alphas.size()); });
   add_statistic(columns, "alpha_mean", &Row::alpha_mean);
   add_statistic(columns, "alpha_median", &Row::alpha_median);
   add_statistic(columns, "alpha_p95", &Row::alpha_p95);
   columns.emplace_back(
-      "alpha_max", [](const Row& row) { return row.cell.alphas.empty() ? "" : number_text(row.cell.largest_alpha); });
+      "alpha_max", [](const Row& row) { return row.cell.alphas.empty() ? "" : number_text(row.cell.max_alpha); });
   columns.emplace_back("optimal_share", [](const Row& row) { return text_of(row.optimal_share); });
   columns.emplace_back("optimal_share_lower",
                        [](const Row& row) { return row.optimal_range ? number_text(row.optimal_range->lower) : ""; });
@@ -105,16 +105,16 @@ Columns<FittedMeasure> growth_columns() {
   columns.emplace_back("measure", [](const Row& row) { return row.measure; });
   columns.emplace_back("sizes", count(&Growth::sizes));
   columns.emplace_back("observations", count(&Growth::observations));
-  columns.emplace_back("smallest_n", count(&Growth::smallest_n));
-  columns.emplace_back("largest_n", count(&Growth::largest_n));
+  columns.emplace_back("min_n", count(&Growth::min_n));
+  columns.emplace_back("max_n", count(&Growth::max_n));
   columns.emplace_back("exponent", [](const Row& row) { return number_text(row.growth.law.exponent.value); });
   columns.emplace_back("exponent_lower", end_of_interval(&Estimate::lower));
   columns.emplace_back("exponent_upper", end_of_interval(&Estimate::upper));
   columns.emplace_back("factor", [](const Row& row) { return number_text(std::exp(row.growth.law.log_factor.value)); });
   columns.emplace_back("r_squared", [](const Row& row) { return number_text(row.growth.law.r_squared); });
   columns.emplace_back("lack_of_fit_p", [](const Row& row) { return text_of(row.growth.lack_of_fit.p_value); });
-  columns.emplace_back("largest_misfit",
-                       [](const Row& row) { return number_text(row.growth.lack_of_fit.largest_misfit); });
+  columns.emplace_back("max_misfit",
+                       [](const Row& row) { return number_text(row.growth.lack_of_fit.max_misfit); });
   columns.emplace_back("fits", [](const Row& row) -> std::string {
     const Fit fit = row.growth.fit();
     return fit == Fit::untested ? "" : fit == Fit::yes ? "yes" : "no";

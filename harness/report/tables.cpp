@@ -56,7 +56,7 @@ struct Total {
   std::size_t not_applicable = 0;
   std::size_t optimal = 0;
   std::vector<double> alphas;
-  double largest_alpha = 0;
+  double max_alpha = 0;
 
   void add(const Cell& cell) {
     runs += cell.runs;
@@ -64,7 +64,7 @@ struct Total {
     not_applicable += cell.not_applicable;
     optimal += cell.optimal;
     alphas.insert(alphas.end(), cell.alphas.begin(), cell.alphas.end());
-    largest_alpha = std::max(largest_alpha, cell.largest_alpha);
+    max_alpha = std::max(max_alpha, cell.max_alpha);
   }
 
   [[nodiscard]] std::vector<std::string> row(const std::string& name) const {
@@ -76,7 +76,7 @@ struct Total {
     }
     const auto count = static_cast<double>(alphas.size());
     const double mean = std::accumulate(alphas.begin(), alphas.end(), 0.0) / count;
-    for (const double value : {mean, median(alphas), quantile(alphas, 0.95), largest_alpha})
+    for (const double value : {mean, median(alphas), quantile(alphas, 0.95), max_alpha})
       cells.push_back(fixed(value, kAlphaDigits));
     cells.push_back(percent(static_cast<double>(optimal) / count));
     return cells;
@@ -116,14 +116,14 @@ std::vector<std::string> cell_row(const CellSummary& summary, const Labels& labe
           alpha_range(summary.alpha_mean),
           alpha(summary.alpha_median),
           alpha(summary.alpha_p95),
-          cell.alphas.empty() ? kNothing : fixed(cell.largest_alpha, kAlphaDigits),
+          cell.alphas.empty() ? kNothing : fixed(cell.max_alpha, kAlphaDigits),
           summary.optimal_share ? percent(*summary.optimal_share) : kNothing};
 }
 
 std::string fit_text(const Growth& growth) {
   switch (growth.fit()) {
     case Fit::yes: return "yes";
-    case Fit::no: return "no, x" + fixed(growth.lack_of_fit.largest_misfit, 2);
+    case Fit::no: return "no, x" + fixed(growth.lack_of_fit.max_misfit, 2);
     case Fit::untested: return kNothing;
   }
   return kNothing;
@@ -132,7 +132,7 @@ std::string fit_text(const Growth& growth) {
 std::vector<std::string> growth_cells(const std::optional<Growth>& growth) {
   if (!growth) return {kNothing, kNothing, kNothing, kNothing, kNothing};
   const PowerLaw& law = growth->law;
-  return {std::to_string(growth->smallest_n) + " .. " + std::to_string(growth->largest_n),
+  return {std::to_string(growth->min_n) + " .. " + std::to_string(growth->max_n),
           fixed(without_sign_of_zero(law.exponent.value), kExponentDigits),
           law.has_interval ? range(law.exponent, kExponentDigits) : kNothing, fixed(law.r_squared, kExponentDigits),
           fit_text(*growth)};
@@ -157,16 +157,16 @@ std::string algorithm_table(const std::vector<Cell>& cells, const Labels& labels
 }
 
 std::string cell_tables(const std::vector<CellSummary>& cells, const Labels& labels) {
-  const bool has_yardsticks = std::any_of(cells.begin(), cells.end(),
-                                          [](const CellSummary& summary) { return summary.yardsticks.has_value(); });
+  const bool has_delaunay_times = std::any_of(cells.begin(), cells.end(),
+                                          [](const CellSummary& summary) { return summary.over_delaunay.has_value(); });
   std::vector<std::string> header = {"algorithm",  "n",   "runs",   "failed", "median time", "95%",
                                      "alpha mean", "95%", "median", "p95",    "max",         "optimal"};
-  if (has_yardsticks) header.push_back("time / Delaunay's");
+  if (has_delaunay_times) header.push_back("time / Delaunay's");
   FamilyTables tables(std::move(header));
   for (const CellSummary& summary : cells) {
     if (summary.cell.runs == 0) continue;
     std::vector<std::string> row = cell_row(summary, labels);
-    if (has_yardsticks) row.push_back(summary.yardsticks ? fixed(summary.yardsticks->estimate.value, 2) : kNothing);
+    if (has_delaunay_times) row.push_back(summary.over_delaunay ? fixed(summary.over_delaunay->estimate.value, 2) : kNothing);
     tables.add_row(labels.family(summary.cell.key), std::move(row));
   }
   return tables.text();

@@ -17,7 +17,7 @@ namespace mwt {
 [[nodiscard]] std::string algorithm_table(const std::vector<Cell>& cells, const Labels& labels);
 
 /// One table per family, one line per algorithm and n. Cells where the algorithm is not applicable are left out.
-/// Where the yardstick was measured, the last column gives the time in units of it.
+/// Where the Delaunay time was measured, the last column gives the time in units of it.
 [[nodiscard]] std::string cell_tables(const std::vector<CellSummary>& cells, const Labels& labels);
 
 /// One table per family, one line per algorithm: the exponents of time and alpha. Empty without any.

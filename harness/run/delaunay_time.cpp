@@ -20,14 +20,14 @@ constexpr double kEnoughTime = 0.5;
 double undisturbed_measurement_s(Points points) {
   constexpr double kLongEnough = 0.01;
   const double cpu_start = process_cpu_time_s();
-  const double wall = measure_yardstick_s(points);
+  const double wall = measure_delaunay_time_s(points);
   const double cpu = process_cpu_time_s() - cpu_start;
   return wall < kLongEnough ? wall : std::min(wall, cpu);
 }
 
 }  // namespace
 
-double yardstick_time_s(Points points) {
+double delaunay_time_s(Points points) {
   std::vector<double> times;
   do {
     times.push_back(undisturbed_measurement_s(points));

@@ -1,13 +1,13 @@
-// The yardstick beside a run: what CGAL's Delaunay triangulation of the same points takes, here and now.
+// The Delaunay time beside a run: what CGAL's Delaunay triangulation of the same points takes, here and now.
 #pragma once
 
 #include "geometry/point.h"
 
 namespace mwt {
 
-/// Median seconds of up to seven measure_yardstick_s(); fewer, but at least one, once half a second is spent. One of 10
+/// Median seconds of up to seven measure_delaunay_time_s(); fewer, but at least one, once half a second is spent. One of 10
 /// ms or more counts with its CPU time if that is less: what other programs took is not in it.
 /// Preconditions as there.
-[[nodiscard]] double yardstick_time_s(Points points);
+[[nodiscard]] double delaunay_time_s(Points points);
 
 }  // namespace mwt

@@ -64,7 +64,7 @@ TEST_P(EveryAlgorithm, GivesATriangulationOnEveryFamily) {
     std::vector<Index> sizes = kSizes;
     if (family.fixed_n != 0) sizes = {family.fixed_n};
     for (const Index n : sizes) {
-      if (n > algorithm.largest_n) continue;
+      if (n > algorithm.max_n) continue;
       SCOPED_TRACE(family.name + " n=" + std::to_string(n));
       const std::vector<Point> points = instance(family, n);
       if (!points.empty() && expect_triangulation(algorithm, points)) ++solved;

@@ -16,7 +16,7 @@ namespace mwt {
 /// filled in: from the worker, or from how the process ended. Precondition: the pool is not full.
 ///
 /// The process is killed at time_s + grace_s, plus an allowance for checking the result and for the
-/// yardstick that grows with n.
+/// Delaunay time that grows with n.
 void start_isolated_run(ProcessPool& pool, const Request& request, std::shared_ptr<const Instance> instance,
                         const RunRecord& keys, const RunLimits& limits, const Timing& timing,
                         std::function<void(RunRecord)> when_done);

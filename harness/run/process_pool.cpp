@@ -28,7 +28,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t kErrorTailSize = 500;
-constexpr std::size_t kLargestOutput = std::size_t{1} << 26;
+constexpr std::size_t kMaxOutput = std::size_t{1} << 26;
 constexpr int kExitWithoutResult = 70;
 
 struct Pipe {
@@ -133,7 +133,7 @@ struct ProcessPool::Child {
     drain(output_pipe, output);
     drain(error_pipe, errors);
     if (errors.size() > kErrorTailSize) errors.erase(0, errors.size() - kErrorTailSize);
-    if (output.size() > kLargestOutput) stop();
+    if (output.size() > kMaxOutput) stop();
   }
 
   // Sets when it can have used so much more CPU time at the earliest, on all CPUs at once.

@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t kBatches = 5;
-constexpr double kMostWallTime = 10;    // in units of the time to be filled
+constexpr double kMaxWallTime = 10;    // in units of the time to be filled
 constexpr double kShortestTime = 1e-9;  // s, for work that seems to take none
 
 /// Consecutive executions and what they took together.
@@ -40,10 +40,10 @@ double median_of(const std::vector<Batch>& batches, double Batch::*time) {
 }
 
 /// How many executions like those of `batch` fill the CPU time, within the wall time.
-std::uint64_t executions_to_fill(double cpu_s, double most_wall_s, const Batch& batch) {
+std::uint64_t executions_to_fill(double cpu_s, double max_wall_s, const Batch& batch) {
   const auto executions = static_cast<double>(batch.executions);
   const double needed = std::ceil(cpu_s * executions / std::max(batch.cpu_s, kShortestTime));
-  const double most = std::floor(most_wall_s * executions / std::max(batch.wall_s, kShortestTime));
+  const double most = std::floor(max_wall_s * executions / std::max(batch.wall_s, kShortestTime));
   return static_cast<std::uint64_t>(std::max(1.0, std::min(needed, most)));
 }
 
@@ -51,10 +51,10 @@ std::uint64_t executions_to_fill(double cpu_s, double most_wall_s, const Batch& 
 
 RepeatedTiming time_repeatedly(const std::function<void()>& work, double min_time_s) {
   const Batch first = run_batch(work, 1);
-  const double most_wall_s = kMostWallTime * min_time_s;
-  if (first.cpu_s >= min_time_s || first.wall_s >= most_wall_s) return {first.wall_s, first.cpu_s, 1};
+  const double max_wall_s = kMaxWallTime * min_time_s;
+  if (first.cpu_s >= min_time_s || first.wall_s >= max_wall_s) return {first.wall_s, first.cpu_s, 1};
   const double batch_cpu_s = min_time_s / static_cast<double>(kBatches);
-  const double batch_wall_s = most_wall_s / static_cast<double>(kBatches);
+  const double batch_wall_s = max_wall_s / static_cast<double>(kBatches);
   RepeatedTiming timing{0, 0, 0};
   std::vector<Batch> batches;
   double wall_s = 0;
@@ -66,7 +66,7 @@ RepeatedTiming time_repeatedly(const std::function<void()>& work, double min_tim
     // While caches and the allocator warm up, executions take longer, and tell too little of how many fill a batch.
     const bool counts = is_warm && last.cpu_s >= batch_cpu_s / 2;
     is_warm = true;
-    if (!counts && wall_s < most_wall_s) continue;
+    if (!counts && wall_s < max_wall_s) continue;
     batches.push_back(last);
     timing.executions += last.executions;
   }

@@ -63,7 +63,7 @@ RunRecord run_in_worker(const Request& request, const Instance& instance, RunRec
       fail(record, RunStatus::invalid_output, *judgement.violation);
     } else {
       believe(record, execution, judgement);
-      if (timing.yardstick) record.yardstick_time_s = yardstick_time_s(instance.set.points);
+      if (timing.delaunay_time) record.delaunay_time_s = delaunay_time_s(instance.set.points);
     }
   } catch (const NotApplicable& reason) {
     fail(record, RunStatus::not_applicable, reason.what());

@@ -14,7 +14,7 @@ namespace mwt {
 namespace {
 
 constexpr std::size_t kShortestSeries = 6;
-constexpr std::size_t kLargestLag = 5;
+constexpr std::size_t kMaxLag = 5;
 constexpr double kGrid = 0.1;     // distance of levels in units of the noise
 constexpr long kGridReach = 20;   // levels to both sides of every value: 2 noises, beyond which none is worth having
 constexpr double kWidest = 1e12;  // of the series in units of the noise: so that levels are exact integers
@@ -105,7 +105,7 @@ void require_usable(std::span<const double> series, const StepOptions& options) 
 
 double noise_of_series(std::span<const double> series) {
   double noise = 0;
-  for (std::size_t lag = 1; lag <= kLargestLag; ++lag) noise = std::max(noise, noise_at_lag(series, lag));
+  for (std::size_t lag = 1; lag <= kMaxLag; ++lag) noise = std::max(noise, noise_at_lag(series, lag));
   return noise;
 }
 
@@ -114,7 +114,7 @@ std::vector<Step> find_steps(std::span<const double> series, const StepOptions& 
   if (series.size() < kShortestSeries) return {};
   const double middle = median(series);
   const auto [smallest, largest] = std::minmax_element(series.begin(), series.end());
-  const double noise = std::max({noise_of_series(series), options.least_noise, (*largest - *smallest) / kWidest});
+  const double noise = std::max({noise_of_series(series), options.min_noise, (*largest - *smallest) / kWidest});
   if (noise == 0) return {};  // all values are equal
   std::vector<double> scaled;
   for (const double value : series) scaled.push_back((value - middle) / noise);

@@ -1,4 +1,4 @@
-// Where a series of measurements steps to another level: the nights on which something became slower or faster.
+// Where a series of measurements steps to another level: the nightly runs on which something became slower or faster.
 //
 // The series is explained by levels that hold for a while (a Potts model): of all ways to do so, the one is taken that
 // minimises the sum over all values of min(d^2, clip^2), d being the distance from the level in units of the noise,
@@ -10,14 +10,14 @@
 //
 // The noise is estimated from the series itself: the largest of the robust standard deviations (median of absolute
 // values) of its differences over 1 to 5 places, divided by sqrt(2). Neither steps nor spikes sway it much, and looking
-// further than the neighbour sees noise that is alike from one night to the next.
+// further than the neighbour sees noise that is alike from one nightly run to the next.
 //
 // What to expect, seen in simulations of 20,000 series of 60 values each (change_points_test.cpp repeats them with
 // fewer): series with a false alarm, in 20,000: 0 for normal noise, 2 for Student's t with 3 and with 2 degrees of
 // freedom and for Laplace's, 9 for skewed noise (exponential), 0 for normal noise with 5% spikes; of autocorrelated
 // noise, 42 at an autocorrelation of 0.3, and 1,290 at 0.6, where a wandering level hardly differs from a stepping one.
-// A step of 3.3 times the noise was found in 73% of the series 6 nights later and in 99% 16 nights later, on the very
-// night in 88%; one of 5 times in 93% 4 nights later. A slow drift becomes a staircase.
+// A step of 3.3 times the noise was found in 73% of the series 6 nightly runs later and in 99% 16 nightly runs later, on the very
+// nightly run in 88%; one of 5 times in 93% 4 nightly runs later. A slow drift becomes a staircase.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,7 @@ struct Step {
 struct StepOptions {
   double penalty = 24;     ///< for each step
   double clip = 3;         ///< in units of the noise
-  double least_noise = 0;  ///< the noise is taken to be at least this; 0 is fine unless most values are equal
+  double min_noise = 0;  ///< the noise is taken to be at least this; 0 is fine unless most values are equal
 };
 
 /// All steps, in order. Deterministic. Fewer than 6 values have none. Time O(n^2) for usual series: n times the grid.

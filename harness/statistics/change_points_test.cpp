@@ -13,7 +13,7 @@
 namespace mwt {
 namespace {
 
-constexpr std::size_t kNights = 60;
+constexpr std::size_t kNightlyRuns = 60;
 
 using Noise = std::function<double(RandomEngine&)>;
 
@@ -25,17 +25,17 @@ double student(RandomEngine& engine, int degrees) {
 
 double exponential(RandomEngine& engine) { return -std::log1p(-uniform_unit(engine)); }
 
-std::vector<double> noise_series(RandomEngine& engine, std::size_t nights, const Noise& noise) {
-  std::vector<double> series(nights);
+std::vector<double> noise_series(RandomEngine& engine, std::size_t nightly_runs, const Noise& noise) {
+  std::vector<double> series(nightly_runs);
   for (double& value : series) value = noise(engine);
   return series;
 }
 
 // Normal with variance 1 and this correlation between neighbours.
-std::vector<double> remembering_series(RandomEngine& engine, std::size_t nights, double correlation) {
-  std::vector<double> series = noise_series(engine, nights, standard_normal);
+std::vector<double> remembering_series(RandomEngine& engine, std::size_t nightly_runs, double correlation) {
+  std::vector<double> series = noise_series(engine, nightly_runs, standard_normal);
   const double fresh = std::sqrt(1 - correlation * correlation);
-  for (std::size_t i = 1; i < nights; ++i) series[i] = correlation * series[i - 1] + fresh * series[i];
+  for (std::size_t i = 1; i < nightly_runs; ++i) series[i] = correlation * series[i - 1] + fresh * series[i];
   return series;
 }
 
@@ -47,20 +47,20 @@ int alarms(int series_count, const std::function<std::vector<double>(RandomEngin
 }
 
 int alarms_of_noise(int series_count, const Noise& noise) {
-  return alarms(series_count, [&](RandomEngine& engine) { return noise_series(engine, kNights, noise); });
+  return alarms(series_count, [&](RandomEngine& engine) { return noise_series(engine, kNightlyRuns, noise); });
 }
 
 struct Detections {
-  int found = 0;  ///< exactly one step, within two nights of the true one
-  int exact = 0;  ///< on the very night
+  int found = 0;  ///< exactly one step, within two nightly runs of the true one
+  int exact = 0;  ///< on the very nightly run
 };
 
-Detections detections(double height, std::size_t nights, std::size_t first, int series_count = 200) {
+Detections detections(double height, std::size_t nightly_runs, std::size_t first, int series_count = 200) {
   RandomEngine engine = make_engine("change_points_test", 2);
   Detections result;
   for (int i = 0; i < series_count; ++i) {
-    std::vector<double> series = noise_series(engine, nights, standard_normal);
-    for (std::size_t night = first; night < nights; ++night) series[night] += height;
+    std::vector<double> series = noise_series(engine, nightly_runs, standard_normal);
+    for (std::size_t nightly_run = first; nightly_run < nightly_runs; ++nightly_run) series[nightly_run] += height;
     const std::vector<Step> steps = find_steps(series);
     if (steps.size() != 1) continue;
     result.found += steps[0].first + 2 >= first && steps[0].first <= first + 2;
@@ -96,10 +96,10 @@ TEST(ChangePoints, FindsSeveralSteps) {
 TEST(ChangePoints, SpikesAreNoSteps) {
   RandomEngine engine = make_engine("change_points_test", 3);
   for (int i = 0; i < 100; ++i) {
-    std::vector<double> series = noise_series(engine, kNights, standard_normal);
-    const std::size_t place = uniform_below(engine, kNights - 1);
+    std::vector<double> series = noise_series(engine, kNightlyRuns, standard_normal);
+    const std::size_t place = uniform_below(engine, kNightlyRuns - 1);
     series[place] += 1000;
-    series[place + 1] += i % 2 == 0 ? 0 : 1000;  // two in a row, the last night included
+    series[place + 1] += i % 2 == 0 ? 0 : 1000;  // two in a row, the last nightly run included
     EXPECT_TRUE(find_steps(series).empty()) << i;
   }
 }
@@ -108,8 +108,8 @@ TEST(ChangePoints, ADriftBecomesAStaircaseInItsDirection) {
   RandomEngine engine = make_engine("change_points_test", 4);
   int with_steps = 0;
   for (int i = 0; i < 100; ++i) {
-    std::vector<double> series = noise_series(engine, kNights, standard_normal);
-    for (std::size_t night = 0; night < kNights; ++night) series[night] += 0.15 * static_cast<double>(night);
+    std::vector<double> series = noise_series(engine, kNightlyRuns, standard_normal);
+    for (std::size_t nightly_run = 0; nightly_run < kNightlyRuns; ++nightly_run) series[nightly_run] += 0.15 * static_cast<double>(nightly_run);
     const std::vector<Step> steps = find_steps(series);
     with_steps += !steps.empty();
     for (const Step& step : steps) EXPECT_GT(step.after, step.before);
@@ -152,8 +152,8 @@ TEST(ChangePoints, RefusesWhatIsNoSeries) {
 TEST(ChangePoints, DetectionRates) {
   EXPECT_GE(detections(10.0 / 3, 40, 24).found, 190);
   EXPECT_GE(detections(10.0 / 3, 40, 24).exact, 165);
-  EXPECT_GE(detections(10.0 / 3, 40, 34).found, 100) << "six nights after the step";
-  EXPECT_GE(detections(5, 40, 36).found, 150) << "four nights after a step of five times the noise";
+  EXPECT_GE(detections(10.0 / 3, 40, 34).found, 100) << "six nightly runs after the step";
+  EXPECT_GE(detections(5, 40, 36).found, 150) << "four nightly runs after a step of five times the noise";
   EXPECT_GE(detections(2, 60, 30).found, 130);
 }
 
@@ -175,7 +175,7 @@ TEST(ChangePointsSlow, FalseAlarmsOfIndependentNoiseAreAtMostOneInAThousand) {
 TEST(ChangePointsSlow, FalseAlarmsOfNoiseThatRemembers) {
   const int count = 5000;
   const auto remembering = [](double correlation) {
-    return [=](RandomEngine& engine) { return remembering_series(engine, kNights, correlation); };
+    return [=](RandomEngine& engine) { return remembering_series(engine, kNightlyRuns, correlation); };
   };
   EXPECT_LE(alarms(count, remembering(0.3)), 4 * count / 1000);
   EXPECT_LE(alarms(count, remembering(0.6)), 80 * count / 1000);

@@ -93,7 +93,7 @@ LackOfFit test_lack_of_fit(std::span<const Measurement> measurements, const Powe
   LackOfFit result;
   for (const Group& group : groups) {
     const double misfit = std::fabs(group.middle() - law.log_factor.value - law.exponent.value * group.log_n);
-    result.largest_misfit = std::max(result.largest_misfit, std::exp(misfit));
+    result.max_misfit = std::max(result.max_misfit, std::exp(misfit));
   }
   result.p_value = p_value_of(groups, measurements.size());
   return result;

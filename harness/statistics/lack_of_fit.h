@@ -13,7 +13,7 @@ struct LackOfFit {
   /// tested.
   std::optional<double> p_value;
   /// The factor by which the law misses the median of the size that it misses most; at least 1.
-  double largest_misfit = 1;
+  double max_misfit = 1;
 };
 
 /// The F test of lack of fit, on the logarithms: how far the medians of the sizes lie off the best line through them,

@@ -53,13 +53,13 @@ TEST(LackOfFit, AnExponentialIsRejected) {
 
 TEST(LackOfFit, TheLargestMisfitIsThatOfAMedian) {
   std::vector<Measurement> measurements = measured(power, 3, 0);
-  EXPECT_NEAR(lack_of_fit(measurements).largest_misfit, 1, 1e-9);
+  EXPECT_NEAR(lack_of_fit(measurements).max_misfit, 1, 1e-9);
   for (Measurement& measurement : measurements) {
     if (measurement.n == 500) measurement.y *= 4;
   }
   const LackOfFit off = lack_of_fit(measurements);
-  EXPECT_GT(off.largest_misfit, 1.3);
-  EXPECT_LT(off.largest_misfit, 4);
+  EXPECT_GT(off.max_misfit, 1.3);
+  EXPECT_LT(off.max_misfit, 4);
   EXPECT_LT(off.p_value.value(), 1e-6) << "without noise any misfit is one too many";
 }
 
@@ -67,13 +67,13 @@ TEST(LackOfFit, AWildValueIsNoLackOfFit) {
   std::vector<Measurement> measurements = measured(power, 7, 0.05);
   measurements[9].y *= 20;
   EXPECT_GT(lack_of_fit(measurements).p_value.value(), 0.05);
-  EXPECT_LT(lack_of_fit(measurements).largest_misfit, 2);
+  EXPECT_LT(lack_of_fit(measurements).max_misfit, 2);
 }
 
 TEST(LackOfFit, WhatCannotBeTestedHasNoPValue) {
   const std::vector<Measurement> measurements = {{10, 1}, {20, 2}, {40, 5}};
   EXPECT_FALSE(lack_of_fit(measurements).p_value);
-  EXPECT_GT(lack_of_fit(measurements).largest_misfit, 1);
+  EXPECT_GT(lack_of_fit(measurements).max_misfit, 1);
 }
 
 TEST(LackOfFit, AConstantFits) {

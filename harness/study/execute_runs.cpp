@@ -53,9 +53,9 @@ class RunPhase {
       record_without_running(std::move(keys), RunStatus::error, std::string("no instance: ") + error.what());
       return;
     }
-    if (keys.n > run.largest_n) {
+    if (keys.n > run.max_n) {
       record_without_running(std::move(keys), RunStatus::not_applicable,
-                             "beyond the largest n for this algorithm: " + std::to_string(run.largest_n));
+                             "beyond the largest n for this algorithm: " + std::to_string(run.max_n));
       return;
     }
     Request request;
@@ -65,7 +65,7 @@ class RunPhase {
       record_without_running(std::move(keys), RunStatus::error, std::string("no start: ") + error.what());
       return;
     }
-    const Timing timing{session_.study.min_time_s, session_.study.measures_yardstick};
+    const Timing timing{session_.study.min_time_s, session_.study.measures_delaunay_time};
     start_isolated_run(pool_, request, instance, keys, session_.study.limits, timing, [this, &run](RunRecord ended) {
       const bool is_exact = run.algorithm->exactness == Exactness::exact;
       if (is_exact && ended.certified_lower) compare_with_cache(run, ended);

@@ -16,7 +16,7 @@ namespace mwt {
 
 namespace {
 
-constexpr std::size_t kMostRuns = 2000000;  // which take about a gigabyte while they are planned
+constexpr std::size_t kMaxRuns = 2000000;  // which take about a gigabyte while they are planned
 
 // Runs `look_up`; its complaints get the place in the study file that they are about.
 template <class LookUp>
@@ -119,7 +119,7 @@ class Planner {
     PlannedRun run;
     run.algorithm = &info;
     run.parameters = Parameters(info.name, info.parameters, choice.parameters);
-    run.largest_n = largest_n_for(info, choice.largest_n);
+    run.max_n = max_n_for(info, choice.max_n);
     if (const auto file = start_file_of(info, run.parameters)) {
       run.start_file = (std::filesystem::path(study_.folder) / *file).string();
     }
@@ -195,8 +195,8 @@ class Planner {
       run.run_id = short_hash(run_key);
       if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
     }
-    if (plan_.runs.size() > kMostRuns) {
-      throw InputError("study '" + study_.name + "' has more than " + std::to_string(kMostRuns) +
+    if (plan_.runs.size() > kMaxRuns) {
+      throw InputError("study '" + study_.name + "' has more than " + std::to_string(kMaxRuns) +
                        " runs; divide it into several studies");
     }
     std::sort(plan_.runs.begin() + static_cast<std::ptrdiff_t>(begin), plan_.runs.end(),
@@ -217,8 +217,8 @@ std::string PlannedInstance::label() const {
   return name_with_parameters(generator, parameters) + " n=" + std::to_string(n) + " seed=" + std::to_string(seed);
 }
 
-Index largest_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study) {
-  const Index own = algorithm.largest_n == 0 ? kNoIndex : algorithm.largest_n;
+Index max_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study) {
+  const Index own = algorithm.max_n == 0 ? kNoIndex : algorithm.max_n;
   return std::min(own, of_study.value_or(kNoIndex));
 }
 

@@ -32,7 +32,7 @@ struct PlannedRun {
   const AlgorithmInfo* algorithm = nullptr;
   Parameters parameters;
   int repetition = 0;
-  Index largest_n = 0;                      ///< beyond it the run is recorded as not_applicable without being started
+  Index max_n = 0;                      ///< beyond it the run is recorded as not_applicable without being started
   std::optional<std::string> start_file{};  ///< path of the triangulation to start from
   std::string run_id;  ///< hash of study name, instance, algorithm, parameters, repetition and the content of the files
                        ///< that these name: the same on every machine
@@ -70,6 +70,6 @@ struct Shard {
 [[nodiscard]] Plan part_of(const Plan& plan, const Shard& shard);
 
 /// The smaller of an entry's and a study's limit; 0 in an entry means none.
-[[nodiscard]] Index largest_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study);
+[[nodiscard]] Index max_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study);
 
 }  // namespace mwt

@@ -77,7 +77,7 @@ TEST(Plan, SizesAFamilyLacksBecomeTheNearest) {
   static const GeneratorInfo squares = [] {
     GeneratorInfo info;
     info.name = "squares";
-    info.smallest_n = 4;
+    info.min_n = 4;
     info.function = [](Index n, std::uint64_t, const Parameters&) {
       const auto side = static_cast<Index>(std::lround(std::sqrt(n)));
       if (side * side != n) throw InputError("no square; nearest " + std::to_string(side * side));
@@ -158,7 +158,7 @@ TEST(Plan, TheSmallerLimitCounts) {
   study.algorithms = {{"small", {}, {}, ""}, {"small", {}, 3, ""}, {"well", {}, 7, ""}};
   const Plan plan = plan_of(study);
   ASSERT_EQ(plan.runs.size(), 8u) << "the second 'small' is the same cell as the first";
-  for (const PlannedRun& run : plan.runs) EXPECT_EQ(run.largest_n, run.algorithm->name == "small" ? 5u : 7u);
+  for (const PlannedRun& run : plan.runs) EXPECT_EQ(run.max_n, run.algorithm->name == "small" ? 5u : 7u);
 }
 
 TEST(Plan, AlgorithmsComeInAnOrderThatVaries) {

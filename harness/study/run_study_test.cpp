@@ -121,24 +121,24 @@ TEST(RunStudy, CpuTimesOfShortRunsAreNotQuantised) {
   study.repetitions = 40;
   std::ostringstream out;
   static_cast<void>(run_study(study, Catalogue(algorithms, generators()), {folder.path("out")}, out));
-  double largest_share = 0;
+  double max_share = 0;
   for (const RunRecord& record : read_runs(folder.path("out"))) {
     const double share = record.cpu_time_s.value() / record.wall_time_s.value();
     EXPECT_LT(share, 1.05);
-    largest_share = std::max(largest_share, share);
+    max_share = std::max(max_share, share);
   }
-  EXPECT_GT(largest_share, 0.95);
+  EXPECT_GT(max_share, 0.95);
 }
 
-TEST(RunStudy, TheYardstickIsMeasuredWhereAStudyAsksForIt) {
+TEST(RunStudy, TheDelaunayTimeIsMeasuredWhereAStudySaysSo) {
   const TestFolder folder;
   Study study = study_of({"well", "throws"});
   run(study, folder.path("without"));
-  EXPECT_FALSE(by_algorithm(folder.path("without")).at("well").yardstick_time_s);
-  study.measures_yardstick = true;
+  EXPECT_FALSE(by_algorithm(folder.path("without")).at("well").delaunay_time_s);
+  study.measures_delaunay_time = true;
   run(study, folder.path("with"));
-  EXPECT_GT(by_algorithm(folder.path("with")).at("well").yardstick_time_s.value_or(0), 0);
-  EXPECT_FALSE(by_algorithm(folder.path("with")).at("throws").yardstick_time_s);
+  EXPECT_GT(by_algorithm(folder.path("with")).at("well").delaunay_time_s.value_or(0), 0);
+  EXPECT_FALSE(by_algorithm(folder.path("with")).at("throws").delaunay_time_s);
 }
 
 TEST(RunStudy, AShardMayBeEmpty) {

@@ -25,7 +25,7 @@ struct FamilyChoice {
 struct AlgorithmChoice {
   std::string name;  ///< "*": every algorithm that the study does not name otherwise
   std::map<std::string, std::string> parameters;
-  std::optional<Index> largest_n;  ///< at most the registry's
+  std::optional<Index> max_n;  ///< at most the registry's
   std::string place;
   std::vector<std::string> families{};  ///< run on these alone; empty: on all of the study
 };
@@ -33,7 +33,7 @@ struct AlgorithmChoice {
 /// An exact algorithm that may compute the optimum of an instance.
 struct OptimumSource {
   std::string algorithm;
-  std::optional<Index> largest_n;  ///< at most the registry's
+  std::optional<Index> max_n;  ///< at most the registry's
   std::string place;
 };
 
@@ -57,7 +57,7 @@ struct Study {
   int repetitions = 1;
   int threads = 1;
   double min_time_s = 0.005;  ///< CPU time; shorter executions are repeated until they fill it (repeated_timing.h)
-  bool measures_yardstick = false;  ///< every run also times CGAL's Delaunay triangulation of its points
+  bool measures_delaunay_time = false;  ///< every run also times CGAL's Delaunay triangulation of its points
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;

@@ -17,9 +17,9 @@ namespace mwt {
 
 namespace {
 
-constexpr double kLargestTime = 1e9;  // s; about thirty years
-constexpr std::int64_t kLargestCount = 1000000;
-constexpr std::size_t kMostCombinations = 10000;
+constexpr double kMaxTime = 1e9;  // s; about thirty years
+constexpr std::int64_t kMaxCount = 1000000;
+constexpr std::size_t kMaxCombinations = 10000;
 
 using ParameterValues = std::map<std::string, std::string>;
 
@@ -67,7 +67,7 @@ class TableReader {
     const toml::node* node = find(key);
     if (node == nullptr) return;
     const auto number = node->value<double>();
-    if (!number || !node->is_number() || !(*number > 0 && *number <= kLargestTime)) {
+    if (!number || !node->is_number() || !(*number > 0 && *number <= kMaxTime)) {
       fail(*node, "'" + key + "' must be a positive number of at most 1e9");
     }
     value = *number;
@@ -85,8 +85,8 @@ class TableReader {
 
   void read_count(const std::string& key, int& value) {
     read_integer(key, 1, [&](std::int64_t count) {
-      if (count > kLargestCount)
-        fail(*table_.get(key), "'" + key + "' must be at most " + std::to_string(kLargestCount));
+      if (count > kMaxCount)
+        fail(*table_.get(key), "'" + key + "' must be at most " + std::to_string(kMaxCount));
       value = static_cast<int>(count);
     });
   }
@@ -165,9 +165,9 @@ std::vector<ParameterValues> read_parameters(TableReader& reader) {
     } else {
       values.push_back(parameter_text(reader, value, name));
     }
-    if (combinations.size() * values.size() > kMostCombinations) {
+    if (combinations.size() * values.size() > kMaxCombinations) {
       reader.fail(value,
-                  "the lists of parameters make more than " + std::to_string(kMostCombinations) + " combinations");
+                  "the lists of parameters make more than " + std::to_string(kMaxCombinations) + " combinations");
     }
     std::vector<ParameterValues> longer;
     for (const ParameterValues& combination : combinations) {
@@ -207,13 +207,13 @@ void read_families(TableReader& reader, Study& study) {
 
 void read_algorithms(TableReader& reader, Study& study) {
   for_each_choice(reader, "algorithms", "an algorithm", [&](TableReader& choice, const std::string& name) {
-    std::optional<Index> largest_n;
-    if (const toml::node* node = choice.find("largest_n")) largest_n = index_of(choice, *node, "largest_n");
+    std::optional<Index> max_n;
+    if (const toml::node* node = choice.find("max_n")) max_n = index_of(choice, *node, "max_n");
     std::vector<std::string> families;
     choice.for_each_element("families",
                             [&](const toml::node& node) { families.push_back(choice.text_of(node, "families")); });
     for (const ParameterValues& parameters : read_parameters(choice)) {
-      study.algorithms.push_back({name, parameters, largest_n, choice.place(), families});
+      study.algorithms.push_back({name, parameters, max_n, choice.place(), families});
     }
   });
 }
@@ -230,9 +230,9 @@ void read_optimum(TableReader& reader, Study& study) {
   read_limits(reader, study.optimum_limits);
   reader.read_flag("seek", study.seeks_optimum);
   for_each_choice(reader, "sources", "an optimum source", [&](TableReader& choice, const std::string& name) {
-    std::optional<Index> largest_n;
-    if (const toml::node* node = choice.find("largest_n")) largest_n = index_of(choice, *node, "largest_n");
-    study.optimum_sources.push_back({name, largest_n, choice.place()});
+    std::optional<Index> max_n;
+    if (const toml::node* node = choice.find("max_n")) max_n = index_of(choice, *node, "max_n");
+    study.optimum_sources.push_back({name, max_n, choice.place()});
   });
 }
 
@@ -287,7 +287,7 @@ Study read_root(const std::string& path, const toml::table& root) {
   reader.read_count("repetitions", study.repetitions);
   reader.read_count("threads", study.threads);
   reader.read_positive("min_time_s", study.min_time_s);
-  reader.read_flag("yardstick", study.measures_yardstick);
+  reader.read_flag("delaunay_time", study.measures_delaunay_time);
   bool for_reports = false;  // which read it with judges_claims()
   reader.read_flag("claims", for_reports);
   read_families(reader, study);

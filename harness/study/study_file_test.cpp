@@ -41,11 +41,11 @@ summary = "t"
 families = ["uniform", { name = "clustered", parameters = { clusters = [3, 10], sigma = 0.5 }, sizes = [100], seeds = [7] }]
 sizes = [10, 20]
 seeds = [1, 2]
-algorithms = [{ name = "tuned", parameters = { k = [1, 2], start = ["a", "b"] }, largest_n = 50, families = ["uniform"] }]
+algorithms = [{ name = "tuned", parameters = { k = [1, 2], start = ["a", "b"] }, max_n = 50, families = ["uniform"] }]
 repetitions = 3
 threads = 2
 min_time_s = 0.5
-yardstick = true
+delaunay_time = true
 claims = true
 [instances]
 folder = "points"
@@ -56,24 +56,24 @@ grace_s = 0.5
 memory_mb = 100
 [optimum]
 time_s = 9
-sources = ["x", { name = "y", largest_n = 12 }]
+sources = ["x", { name = "y", max_n = 12 }]
 )");
   ASSERT_EQ(study.families.size(), 3u);
   EXPECT_EQ(study.families[2].parameters.at("clusters"), "10");
   EXPECT_EQ(study.families[2].parameters.at("sigma"), "0.5");
   EXPECT_EQ(study.families[1].sizes, std::vector<Index>{100});
   EXPECT_EQ(study.algorithms.size(), 4u);
-  EXPECT_TRUE(study.measures_yardstick);
+  EXPECT_TRUE(study.measures_delaunay_time);
   EXPECT_TRUE(judges_claims(study.file_content));
   EXPECT_TRUE(study.instance_files.folder.ends_with("/points")) << study.instance_files.folder;
   EXPECT_EQ(study.instance_files.patterns, (std::vector<std::string>{"*.tsp", "more/*.txt"}));
-  EXPECT_EQ(study.algorithms.front().largest_n, 50u);
+  EXPECT_EQ(study.algorithms.front().max_n, 50u);
   EXPECT_EQ(study.algorithms.front().families, std::vector<std::string>{"uniform"});
   EXPECT_EQ(study.limits.memory_bytes, 100u << 20);
   EXPECT_EQ(study.optimum_limits.time_s, 9);
   EXPECT_EQ(study.optimum_limits.grace_s, 0.5);
   ASSERT_EQ(study.optimum_sources.size(), 2u);
-  EXPECT_EQ(study.optimum_sources[1].largest_n, 12u);
+  EXPECT_EQ(study.optimum_sources[1].max_n, 12u);
 }
 
 // "../evil" left results/.
@@ -127,7 +127,7 @@ TEST(StudyFile, MistakesNameLineAndKey) {
                       "k = [] } }]\n"),
             "s.toml:4: parameter 'k' must not be an empty list");
   EXPECT_EQ(complaint(kMinimal + "claims = \"C1\"\n"), "s.toml:5: 'claims' must be true or false");
-  EXPECT_EQ(complaint(kMinimal + "yardstick = 1\n"), "s.toml:5: 'yardstick' must be true or false");
+  EXPECT_EQ(complaint(kMinimal + "delaunay_time = 1\n"), "s.toml:5: 'delaunay_time' must be true or false");
   EXPECT_EQ(complaint(kMinimal + "[instances]\nfolder = \"x\"\n"), "s.toml:5: [instances] needs the key 'files'");
   EXPECT_EQ(complaint(kMinimal + "[instances]\nfiles = [\"/x\"]\n"),
             "s.toml:6: 'files' are within 'folder': no leading /");
@@ -145,7 +145,7 @@ TEST(StudyFile, AnotherFolderOfInstancesCanBeNamed) {
 
 TEST(FindStudy, KnowsTheProjectsStudiesAndTakesPaths) {
   const std::vector<std::string> names = study_names();
-  EXPECT_NE(std::find(names.begin(), names.end(), "report"), names.end());
+  EXPECT_NE(std::find(names.begin(), names.end(), "claims"), names.end());
   for (const std::string& name : names) EXPECT_EQ(read_study(find_study_file(name)).name, name);
   EXPECT_EQ(find_study_file("some/where"), "some/where");
   EXPECT_THROW(static_cast<void>(find_study_file("no_such_study")), InputError);

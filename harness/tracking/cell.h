@@ -1,4 +1,4 @@
-// A cell of a study: one algorithm with its parameters on one instance. What is compared, and followed over the nights.
+// A cell of a study: one algorithm with its parameters on one instance. What is compared, and followed over the nightly runs.
 #pragma once
 
 #include <compare>

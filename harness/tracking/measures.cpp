@@ -17,16 +17,16 @@ std::optional<double> if_ok(const RunRecord& run, const std::optional<double>& v
   return run.status == RunStatus::ok ? value : std::nullopt;
 }
 
-/// CPU time where one thread is allowed: what other programs took is not in it. The yardstick, a median of short runs,
+/// CPU time where one thread is allowed: what other programs took is not in it. The Delaunay time, a median of short runs,
 /// has hardly any of it either.
 double undisturbed_time(const RunRecord& run) {
   return run.threads == 1 && run.cpu_time_s > 0.0 ? *run.cpu_time_s : *run.wall_time_s;
 }
 
 std::optional<double> relative_time(const RunRecord& run) {
-  if (run.status != RunStatus::ok || !run.wall_time_s || !run.yardstick_time_s || *run.yardstick_time_s <= 0)
+  if (run.status != RunStatus::ok || !run.wall_time_s || !run.delaunay_time_s || *run.delaunay_time_s <= 0)
     return std::nullopt;
-  return undisturbed_time(run) / *run.yardstick_time_s;
+  return undisturbed_time(run) / *run.delaunay_time_s;
 }
 
 std::optional<double> memory(const RunRecord& run) {

@@ -93,9 +93,9 @@ Table<Record> read_table(const std::string& file, const std::vector<Column<Recor
 
 /// Whether a run of one thread used no CPU time, or more than there was: its clock ticked, by 1 to 10 ms.
 bool shows_ticks(const RunRecord& run) {
-  constexpr double kMostOverhead = 1.5;
+  constexpr double kMaxOverhead = 1.5;
   if (run.status != RunStatus::ok || run.threads != 1 || !run.cpu_time_s || !run.wall_time_s) return false;
-  return *run.cpu_time_s == 0 || *run.cpu_time_s > kMostOverhead * *run.wall_time_s;
+  return *run.cpu_time_s == 0 || *run.cpu_time_s > kMaxOverhead * *run.wall_time_s;
 }
 
 }  // namespace

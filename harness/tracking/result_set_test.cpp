@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "harness/io/text/csv.h"
 #include "harness/io/testing/folder_testing.h"
-#include "harness/tracking/history/night.h"
-#include "harness/tracking/testing/synthetic_nights_testing.h"
+#include "harness/tracking/history/nightly_run.h"
+#include "harness/tracking/testing/synthetic_nightly_runs.h"
 
 namespace mwt {
 namespace {
@@ -29,7 +29,7 @@ std::string complaint(const std::string& folder) {
 TEST(ResultSet, ReadsWhatAStudyWrote) {
   const TestFolder folder;
   const auto runs = testing::synthetic_runs({}, 3, 1);
-  testing::write_synthetic_night(folder.path("r"), runs);
+  testing::write_synthetic_nightly_run(folder.path("r"), runs);
   const ResultSet results = read_results(folder.path("r"));
   ASSERT_EQ(results.runs.size(), runs.size());
   EXPECT_EQ(results.runs[7].wall_time_s, runs[7].wall_time_s);
@@ -47,12 +47,12 @@ TEST(ResultSet, ReadsOtherVersionsByTheNamesOfColumns) {
   const ResultSet results = read_results(folder.path(""));
   ASSERT_EQ(results.runs.size(), 2u);
   EXPECT_EQ(results.runs[0].wall_time_s, 0.25);
-  EXPECT_EQ(results.runs[0].yardstick_time_s, std::nullopt);
+  EXPECT_EQ(results.runs[0].delaunay_time_s, std::nullopt);
   EXPECT_EQ(results.runs[1].status, RunStatus::timeout);
-  const std::vector<Night> nights = nights_of(results);
-  ASSERT_EQ(nights.size(), 1u);
-  EXPECT_EQ(nights[0].machine, "unknown");
-  EXPECT_EQ(nights[0].values.size(), 3u) << "two cells with failures, one with a time";
+  const std::vector<NightlyRun> nightly_runs = nightly_runs_of(results);
+  ASSERT_EQ(nightly_runs.size(), 1u);
+  EXPECT_EQ(nightly_runs[0].machine, "unknown");
+  EXPECT_EQ(nightly_runs[0].values.size(), 3u) << "two cells with failures, one with a time";
 }
 
 TEST(ResultSet, ComplaintsNameTheLine) {
@@ -71,7 +71,7 @@ const std::string kVersion = std::to_string(kSchemaVersion);
 
 class DamagedResults : public ::testing::Test {
  protected:
-  DamagedResults() { testing::write_synthetic_night(folder_.path("r"), testing::synthetic_runs({}, 3, 1)); }
+  DamagedResults() { testing::write_synthetic_nightly_run(folder_.path("r"), testing::synthetic_runs({}, 3, 1)); }
 
   /// Replaces text in runs.csv, everywhere, and says what the reader complains about.
   std::string complaint_after(const std::string& text, const std::string& replacement) {
@@ -125,7 +125,7 @@ TEST(ResultSet, WhatIsNotANumberIsRefused) {
   for (const double damaged : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     runs[4].wall_time_s = damaged;
     const TestFolder folder;
-    testing::write_synthetic_night(folder.path("r"), runs);
+    testing::write_synthetic_nightly_run(folder.path("r"), runs);
     EXPECT_NE(complaint(folder.path("r")).find("runs.csv:6: '"), std::string::npos) << complaint(folder.path("r"));
     EXPECT_THROW((void)read_records(folder.path("r")), InputError) << "mwt report likewise";
   }
@@ -137,7 +137,7 @@ TEST(ResultSet, CpuTimesOfAClockThatTickedAreLeftOut) {
   runs[0].cpu_time_s = 0;
   runs[1].wall_time_s = runs[1].cpu_time_s = 0.6;
   runs[1].iterations = 1;
-  testing::write_synthetic_night(folder.path("r"), runs);
+  testing::write_synthetic_nightly_run(folder.path("r"), runs);
   const ResultSet results = read_results(folder.path("r"));
   EXPECT_FALSE(results.runs[0].cpu_time_s);
   EXPECT_TRUE(results.runs[1].cpu_time_s) << "more than a hundred ticks";
@@ -147,17 +147,17 @@ TEST(ResultSet, CpuTimesOfAClockThatTickedAreLeftOut) {
 TEST(Nights, AChangedStudyOfTheSameNameIsAnotherNight) {
   ResultSet results{"", testing::synthetic_runs({}, 5, 1), {testing::synthetic_environment()}};
   results.study_file = "name = \"synthetic\"\nsizes = [100]\n";
-  const std::string before = nights_of(results).at(0).configuration;
-  EXPECT_EQ(nights_of(results).at(0).configuration, before);
+  const std::string before = nightly_runs_of(results).at(0).configuration;
+  EXPECT_EQ(nightly_runs_of(results).at(0).configuration, before);
   results.study_file = "name = \"synthetic\"\nsizes = [200]\n";
-  EXPECT_NE(nights_of(results).at(0).configuration, before);
+  EXPECT_NE(nightly_runs_of(results).at(0).configuration, before);
 }
 
 TEST(Nights, ACommitThatDoesNotTellTheProgramIsNotTheSameNight) {
   ResultSet results{"", testing::synthetic_runs({}, 5, 1), {testing::synthetic_environment()}};
   const auto configuration_with = [&](const std::string& commit, const std::string& binary) {
     for (RunRecord& run : results.runs) run.git_commit = commit, run.binary_sha256 = binary;
-    return nights_of(results).at(0).configuration;
+    return nightly_runs_of(results).at(0).configuration;
   };
   EXPECT_EQ(configuration_with("abc", "x"), configuration_with("abc", "y"));
   EXPECT_NE(configuration_with("abc-dirty", "x"), configuration_with("abc-dirty", "y"));
@@ -166,11 +166,11 @@ TEST(Nights, ACommitThatDoesNotTellTheProgramIsNotTheSameNight) {
 TEST(Nights, OneForEveryCommitAndMachineOrderedByTime) {
   ResultSet results{"", testing::synthetic_runs({}, 5, 1), {testing::synthetic_environment()}};
   for (const RunRecord& run : testing::synthetic_runs({}, 4, 1)) results.runs.push_back(run);
-  const std::vector<Night> nights = nights_of(results);
-  ASSERT_EQ(nights.size(), 2u);
-  EXPECT_EQ(nights[0].git_commit, testing::synthetic_commit(4));
-  EXPECT_EQ(nights[1].git_commit, testing::synthetic_commit(5));
-  EXPECT_EQ(nights[0].environment, nights[1].environment);
+  const std::vector<NightlyRun> nightly_runs = nightly_runs_of(results);
+  ASSERT_EQ(nightly_runs.size(), 2u);
+  EXPECT_EQ(nightly_runs[0].git_commit, testing::synthetic_commit(4));
+  EXPECT_EQ(nightly_runs[1].git_commit, testing::synthetic_commit(5));
+  EXPECT_EQ(nightly_runs[0].environment, nightly_runs[1].environment);
 }
 
 }  // namespace

@@ -71,11 +71,11 @@ def line(alpha, exponent, factor):
 
 
 def set_scale(axes, of_family):
-    largest_n = max(alpha.index.max() for alpha, _, _ in of_family.values())
+    max_n = max(alpha.index.max() for alpha, _, _ in of_family.values())
     top = max(alpha.max() for alpha, _, _ in of_family.values())
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_xlim(SMALLEST_N / 1.4, largest_n * 1.4)
+    axes.set_xlim(SMALLEST_N / 1.4, max_n * 1.4)
     axes.set_ylim(0.9, max(top, 1.5) ** (1 + 0.12 * len(of_family) + 0.1))  # room for the legend
     ticks = [tick for tick in TICKS if tick <= top * 1.2]
     axes.set_yticks(ticks, [f"{tick:,g}" for tick in ticks])

@@ -7,7 +7,7 @@ from library.records import CELL
 from library.style import Styles, legend_columns, name_of
 
 TITLE = "Running time by n"
-REPORTS = ("brute_force", "greedy_report", "hull_insertion", "flip_report", "quadtree", "delaunay")
+REPORTS = ("brute_force", "greedy_naive", "hull_insertion", "flip_naive", "quadtree", "delaunay")
 IN_BOTH = ("delaunay",)  # to compare with
 SMALLEST_FITTED_TIME_S = 2e-5
 SMALLEST_SPAN = 4  # of the sizes; over fewer, a power law and an exponential one look alike

@@ -9,7 +9,7 @@ CAPTION = (
     " in general position, as the report requires: B, H, J; E, H, I and F, G, H lie on lines."
 )
 SET = "report_example"
-SHOWN = {"greedy_report": "greedy (5.1)", "hull_insertion": "hull DP + insertion (5.2)"}
+SHOWN = {"greedy_naive": "greedy (5.1)", "hull_insertion": "hull DP + insertion (5.2)"}
 
 
 def draw(results, layout):

@@ -1,7 +1,7 @@
 "use strict";
 // The sparklines of a dashboard (make_dashboard.py). <script type="application/json" id="series-data"> holds:
-//   nights [{date, commit}], series [{algorithm, instance, n, measure, aspect, unit, nights, values, steps}], where steps are
-//   [{night, before, after, worse}]; series with steps come first.
+//   nightly runs [{date, commit}], series [{algorithm, instance, n, measure, aspect, unit, nightly runs, values, steps}], where steps are
+//   [{nightly run, before, after, worse}]; series with steps come first.
 (() => {
   const FIRST = 48, WIDTH = 300, HEIGHT = 60, EDGE = 5;
   const data = JSON.parse(document.getElementById("series-data").textContent);
@@ -54,7 +54,7 @@
     }
 
     scale() {
-      const { nights, values, aspect } = this.series;
+      const { nightly_runs, values, aspect } = this.series;
       const sorted = [...values].sort((a, b) => a - b), last = sorted.length - 1;
       // Of what has noise, spikes are cut off and less than two percent is not blown up; what is exact is shown whole.
       const noisy = aspect === "time" || aspect === "memory";
@@ -63,29 +63,29 @@
       this.isConstant = sorted[0] === sorted[last];
       // No scale goes below zero for values that do not.
       const middle = this.middle = this.isConstant || low < 0 ? (low + high) / 2 : Math.max((low + high) / 2, span / 2);
-      const first = nights[0], length = Math.max(1, nights[nights.length - 1] - first);
-      this.x = (night) => EDGE + (WIDTH - 2 * EDGE) * (night - first) / length;
+      const first = nightly_runs[0], length = Math.max(1, nightly_runs[nightly_runs.length - 1] - first);
+      this.x = (nightly_run) => EDGE + (WIDTH - 2 * EDGE) * (nightly_run - first) / length;
       const inside = (y) => Math.min(HEIGHT - EDGE, Math.max(EDGE, y));
       this.y = (value) => inside(HEIGHT / 2 - (HEIGHT - 2 * EDGE) * (value - middle) / span);
     }
 
     drawLines() {
-      const { nights, values, steps } = this.series;
-      const points = values.map((value, i) => `${this.x(nights[i]).toFixed(1)},${this.y(value).toFixed(1)}`);
+      const { nightly_runs, values, steps } = this.series;
+      const points = values.map((value, i) => `${this.x(nightly_runs[i]).toFixed(1)},${this.y(value).toFixed(1)}`);
       draw(this.svg, "polyline", { class: "values", points: points.join(" ") });
       steps.forEach((step, i) => {
-        const begin = i === 0 ? nights[0] : steps[i - 1].night;
-        const end = i + 1 < steps.length ? steps[i + 1].night : nights[nights.length - 1];
-        this.drawLevel(begin, step.night, step.before);
-        this.drawLevel(step.night, end, step.after);
-        draw(this.svg, "line", { class: step.worse ? "step worse" : "step better", x1: this.x(step.night), x2: this.x(step.night), y1: 0, y2: HEIGHT });
+        const begin = i === 0 ? nightly_runs[0] : steps[i - 1].nightly_run;
+        const end = i + 1 < steps.length ? steps[i + 1].nightly_run : nightly_runs[nightly_runs.length - 1];
+        this.drawLevel(begin, step.nightly_run, step.before);
+        this.drawLevel(step.nightly_run, end, step.after);
+        draw(this.svg, "line", { class: step.worse ? "step worse" : "step better", x1: this.x(step.nightly_run), x2: this.x(step.nightly_run), y1: 0, y2: HEIGHT });
       });
       this.here = draw(this.svg, "path", { class: "here" });
     }
 
-    // The values at both ends of the scale, or the only one; the first and the last night.
+    // The values at both ends of the scale, or the only one; the first and the last nightly run.
     nameScale() {
-      const { nights, values, unit } = this.series;
+      const { nightly_runs, values, unit } = this.series;
       const name = (className, textContent) => add(this.chart, "span", { className, textContent });
       if (this.isConstant) {
         name("only", readable(values[0], unit));
@@ -93,8 +93,8 @@
         name("high", scaleText(this.middle + this.span / 2, this.span, unit));
         name("low", scaleText(this.middle - this.span / 2, this.span, unit));
       }
-      name("first", data.nights[nights[0]].date);
-      if (nights.length > 1) name("last", data.nights[nights[nights.length - 1]].date);
+      name("first", data.nightly_runs[nightly_runs[0]].date);
+      if (nightly_runs.length > 1) name("last", data.nightly_runs[nightly_runs[nightly_runs.length - 1]].date);
     }
 
     drawLevel(begin, end, value) {
@@ -102,25 +102,25 @@
     }
 
     tell(position) {
-      const { nights, values, unit, steps } = this.series;
+      const { nightly_runs, values, unit, steps } = this.series;
       this.position = position;
-      const night = data.nights[nights[position]];
+      const nightly_run = data.nightly_runs[nightly_runs[position]];
       const before = position > 0 ? values[position - 1] : 0;
       const change = before > 0 ? ` (${values[position] >= before ? "+" : "−"}${Math.abs(100 * (values[position] / before - 1)).toFixed(1)}%)` : "";
-      const step = steps.find((one) => one.night === nights[position]);
-      const text = `${night.date}, commit ${night.commit.slice(0, 10)}: ${readable(values[position], unit)}${change}` +
+      const step = steps.find((one) => one.nightly_run === nightly_runs[position]);
+      const text = `${nightly_run.date}, commit ${nightly_run.commit.slice(0, 10)}: ${readable(values[position], unit)}${change}` +
         (step ? `; step ×${(step.after / step.before).toFixed(3)}` : "");
       this.output.textContent = text;
       this.svg.setAttribute("aria-label", `${this.name}. ${text}`);
-      this.here.setAttribute("d", `M${this.x(nights[position])} ${this.y(values[position])}h0.01`);
+      this.here.setAttribute("d", `M${this.x(nightly_runs[position])} ${this.y(values[position])}h0.01`);
     }
 
     follow(event) {
       const box = this.svg.getBoundingClientRect();
       const x = WIDTH * (event.clientX - box.left) / box.width;
       let nearest = 0;
-      this.series.nights.forEach((night, i) => {
-        if (Math.abs(this.x(night) - x) < Math.abs(this.x(this.series.nights[nearest]) - x)) nearest = i;
+      this.series.nightly_runs.forEach((nightly_run, i) => {
+        if (Math.abs(this.x(nightly_run) - x) < Math.abs(this.x(this.series.nightly_runs[nearest]) - x)) nearest = i;
       });
       this.tell(nearest);
     }

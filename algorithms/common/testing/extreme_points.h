@@ -111,8 +111,8 @@ class ExtremePoints {
     return points;
   }
 
-  std::vector<Point> flattened(std::vector<Point> points, int most_octaves) {
-    return scaled(std::move(points), 1, power(-octaves(most_octaves)));
+  std::vector<Point> flattened(std::vector<Point> points, int max_octaves) {
+    return scaled(std::move(points), 1, power(-octaves(max_octaves)));
   }
 
   // By a power of two, as far as no coordinate exceeds 1e300.
@@ -154,8 +154,8 @@ class ExtremePoints {
   }
 
   // Around the origin, at distances of all magnitudes.
-  std::vector<Point> radial(std::size_t n, int most_octaves) {
-    const int span = octaves(most_octaves);
+  std::vector<Point> radial(std::size_t n, int max_octaves) {
+    const int span = octaves(max_octaves);
     return of_each(n, [&] {
       const double mantissa = 1 + unit(), angle = 6.283185307179586 * unit();
       const double distance = std::ldexp(mantissa, -exponent(0, span));

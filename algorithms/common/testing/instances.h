@@ -144,11 +144,11 @@ inline Solution solve_checked(const AlgorithmInfo& info, Points points,
   return solution;
 }
 
-/// Solves instances of every shape and size up to `largest_n`.
-inline void expect_valid_on_all_shapes(const AlgorithmInfo& info, std::size_t largest_n,
+/// Solves instances of every shape and size up to `max_n`.
+inline void expect_valid_on_all_shapes(const AlgorithmInfo& info, std::size_t max_n,
                                        const std::map<std::string, std::string>& given = {}) {
   for (const std::size_t n : {3, 4, 5, 10, 100, 1000}) {
-    if (n > largest_n) return;
+    if (n > max_n) return;
     for (const Instance& instance : instances(n)) {
       SCOPED_TRACE(instance.name + " " + std::to_string(n));
       solve_checked(info, instance.points, given);

@@ -7,7 +7,7 @@ namespace mwt {
 
 CandidateGraph convex_position_candidates(Points points, std::span<const Index> hull) {
   const std::size_t n = hull.size();
-  if (n > kLargestConvexPolygon) throw SearchStopped(StopReason::size, "too many points in convex position");
+  if (n > kMaxConvexPolygon) throw SearchStopped(StopReason::size, "too many points in convex position");
   const auto corner = [&](std::size_t i) -> const Point& { return points[hull[i % n]]; };
   // Points along one side of the hull are connected to their neighbours only.
   const auto lie_on_one_side = [&](std::size_t i, std::size_t j) {

@@ -7,11 +7,11 @@
 namespace mwt {
 
 /// The diagonals of more points would take gigabytes, and triangulating the polygon minutes.
-inline constexpr std::size_t kLargestConvexPolygon = 6000;
+inline constexpr std::size_t kMaxConvexPolygon = 6000;
 
 /// All diagonals of the polygon `hull`, which goes counter-clockwise through all points, collinear runs allowed; only
 /// the hull's edges are certain. O(n^2) time and space. Throws SearchStopped (search_stopped.h) if the hull has more
-/// than kLargestConvexPolygon points.
+/// than kMaxConvexPolygon points.
 [[nodiscard]] CandidateGraph convex_position_candidates(Points points, std::span<const Index> hull);
 
 }  // namespace mwt

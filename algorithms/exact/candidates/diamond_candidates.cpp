@@ -44,7 +44,7 @@ struct BinRange {
 };
 
 // The bins of all directions from a point of one box to a point of the other. Precondition: the boxes are at least
-// kSmallestDistance apart.
+// kMinDistance apart.
 BinRange directions_between(const Box& from, const Box& to, double scale) {
   const auto low_x = static_cast<float>((to.min_x - from.max_x) * scale),
              high_x = static_cast<float>((to.max_x - from.min_x) * scale);
@@ -117,7 +117,7 @@ bool DiamondTest::may_connect(std::uint32_t leaf, std::uint32_t node) const {
   const Box& from = order_.boxes[leaf];
   const Box& to = order_.boxes[node];
   const float distance = box_distance(from, to, scale_);
-  if (distance < kSmallestDistance) return true;
+  if (distance < kMinDistance) return true;
   const std::uint16_t code = code_of(distance);
   if (code >= std::min(farthest_of_node_[leaf], farthest_of_node_[node])) return false;
   const BinRange range = directions_between(from, to, scale_);
@@ -158,7 +158,7 @@ void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block) con
   const Index block_end = order_.last_of(block_node);
   NearPointsFinder finder(order_);
   std::vector<std::uint32_t> partners;
-  std::array<CandidatePair, KdOrder::kLargestLeaf * KdOrder::kLargestLeaf> found;
+  std::array<CandidatePair, KdOrder::kMaxLeaf * KdOrder::kMaxLeaf> found;
   std::vector<CandidatePair>& inner = blocks.inner[block];
   std::vector<CandidatePair>& outer = blocks.outer[block];
   for (std::uint32_t leaf = first_leaf; leaf < first_leaf + leaves; ++leaf) {

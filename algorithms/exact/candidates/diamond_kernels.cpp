@@ -25,7 +25,7 @@ using VectorI = hn::Vec<Int>;
 constexpr Float kFloat;
 constexpr Int kInt;
 
-constexpr float kSmallestSquare = kSmallestDistance * kSmallestDistance;
+constexpr float kMinSquare = kMinDistance * kMinDistance;
 
 // scale * (coordinates[i] - origin) for one vector of places, subtracted in double.
 HWY_INLINE VectorF scaled_difference(const double* coordinates, double origin, double scale) {
@@ -87,7 +87,7 @@ HWY_INLINE void find_nearest_per_bin(const NearPoints& near, int place, NearestP
     const auto floor = hn::Floor(position);
     const auto within = hn::Sub(position, floor);
     const auto guard = hn::Set(kFloat, kBinGuard);
-    const auto blocks = hn::And(hn::Gt(square, hn::Set(kFloat, kSmallestSquare)),
+    const auto blocks = hn::And(hn::Gt(square, hn::Set(kFloat, kMinSquare)),
                                 hn::And(hn::Gt(within, guard), hn::Lt(within, hn::Sub(hn::Set(kFloat, 1.0F), guard))));
     const auto dustbin = hn::Set(kInt, NearestPerBin::kDustbin - NearestPerBin::kMargin);
     const auto bin = hn::IfThenElse(hn::RebindMask(kInt, blocks), wrapped_bin(floor), dustbin);
@@ -142,7 +142,7 @@ struct View {
 HWY_INLINE void look_around(const NearPoints& near, int place, View& view) {
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
   const double px = near.x[static_cast<std::size_t>(place)], py = near.y[static_cast<std::size_t>(place)];
-  for (int i = 0; i < near.leaves * static_cast<int>(KdOrder::kLargestLeaf); i += lanes) {
+  for (int i = 0; i < near.leaves * static_cast<int>(KdOrder::kMaxLeaf); i += lanes) {
     hn::Store(scaled_difference(near.x.data() + i, px, near.scale), kFloat, view.x + i);
     hn::Store(scaled_difference(near.y.data() + i, py, near.scale), kFloat, view.y + i);
   }
@@ -188,7 +188,7 @@ HWY_INLINE std::uint64_t bits_of(hn::Mask<Float> mask) {
 // Whether both triangles of the edge are occupied, or a near point lies on it; never for edges too short to say. Near
 // leaves farther than the edge is long cannot matter.
 HWY_INLINE bool is_excluded(const CandidateSearch& search, const View& view, const ScaledEdge& edge, Index p, Index q) {
-  if (edge.square <= kSmallestSquare) return false;
+  if (edge.square <= kMinSquare) return false;
   const NearPoints& near = search.near;
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
   const auto ex = hn::Set(kFloat, edge.x), ey = hn::Set(kFloat, edge.y), square = hn::Set(kFloat, edge.square);
@@ -199,8 +199,8 @@ HWY_INLINE bool is_excluded(const CandidateSearch& search, const View& view, con
   auto left = hn::FirstN(kFloat, 0), right = left;
   bool blocks_left = false, blocks_right = false;
   for (int leaf = 0; leaf < near.leaves && near.distance[static_cast<std::size_t>(leaf)] < length; ++leaf) {
-    const int end = (leaf + 1) * static_cast<int>(KdOrder::kLargestLeaf);
-    for (int i = leaf * static_cast<int>(KdOrder::kLargestLeaf); i < end; i += lanes) {
+    const int end = (leaf + 1) * static_cast<int>(KdOrder::kMaxLeaf);
+    for (int i = leaf * static_cast<int>(KdOrder::kMaxLeaf); i < end; i += lanes) {
       const auto x = hn::Load(kFloat, view.x + i), y = hn::Load(kFloat, view.y + i);
       const auto along = hn::MulAdd(ex, x, hn::Mul(ey, y));
       const auto height = hn::NegMulAdd(ey, x, hn::Mul(ex, y));
@@ -262,7 +262,7 @@ std::size_t AppendCandidates(const CandidateSearch& search, Index first, Index l
       const auto dead_here = dead_distance(search.dead[p].code.data(), bin);
       const auto dead_there = dead_distance(search.dead[first].code.data(), hn::Add(hn::ShiftLeft<6>(row), opposite));
       const auto is_close = hn::Lt(distance, hn::Min(dead_here, dead_there));
-      const auto is_tiny = hn::Le(square, hn::Set(kFloat, kSmallestSquare));
+      const auto is_tiny = hn::Le(square, hn::Set(kFloat, kMinSquare));
       const auto alive = hn::Or(is_close, is_tiny);
       if (hn::AllFalse(kFloat, alive)) continue;
       if (!has_looked) look_around(near, place, view);

@@ -17,7 +17,7 @@ namespace mwt {
 /// floats. At this distance and above, vectors err by 2^-24 of their length from rounding to float and by 2^-150 where
 /// a component underflows, 2^-95 of that length; products of two components by 2^-24 of the square and by 2^-150,
 /// 2^-40 of it. All margins of the test are relative to lengths and squares, and above 2^-20 of them.
-inline constexpr float kSmallestDistance = 0x1p-55F;
+inline constexpr float kMinDistance = 0x1p-55F;
 
 /// Per direction bin, the distance beyond which no edge of a minimum weight triangulation leaves a point (or any point
 /// of a tree node): the upper halves of floats, rounded up. Distances are in scaled units (see NearPoints::scale).
@@ -26,10 +26,10 @@ struct alignas(64) DeadDistances {
 };
 
 /// The points near a leaf: those of the closest leaves, nearest first, starting with the leaf itself. Each near leaf
-/// takes kLargestLeaf places, unused ones filled with NaN, which blocks nothing.
+/// takes kMaxLeaf places, unused ones filled with NaN, which blocks nothing.
 struct NearPoints {
   static constexpr int kLeaves = 14;
-  static constexpr int kCapacity = kLeaves * static_cast<int>(KdOrder::kLargestLeaf);
+  static constexpr int kCapacity = kLeaves * static_cast<int>(KdOrder::kMaxLeaf);
   static constexpr int kSampleCapacity = 1024;
 
   double scale = 1;  ///< power of two that brings the instance's extent near 2^60, so that squares of floats keep range
@@ -40,7 +40,7 @@ struct NearPoints {
   alignas(64) std::array<double, kCapacity + kSampleCapacity> x{};
   alignas(64) std::array<double, kCapacity + kSampleCapacity> y{};
 
-  [[nodiscard]] int places() const { return leaves * static_cast<int>(KdOrder::kLargestLeaf) + samples; }
+  [[nodiscard]] int places() const { return leaves * static_cast<int>(KdOrder::kMaxLeaf) + samples; }
 };
 
 /// An edge that may be in a minimum weight triangulation, smaller index first.

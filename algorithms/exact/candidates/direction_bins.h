@@ -27,7 +27,7 @@ inline constexpr float kBinSlope = 1.34761F;
 inline constexpr float kBinCurve = 0.34761F;
 
 /// Points closer to a bin's border than this share of a bin do not block: rounding might have moved them across. It
-/// moves them by about 1e-5 of a bin, at all distances from kSmallestDistance on (diamond_kernels.h).
+/// moves them by about 1e-5 of a bin, at all distances from kMinDistance on (diamond_kernels.h).
 inline constexpr float kBinGuard = 1e-4F;
 
 /// All directions are turned by the angle of this unit vector first, since lattices prefer directions at bin borders.

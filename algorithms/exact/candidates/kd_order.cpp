@@ -75,7 +75,7 @@ class Builder {
 
 std::uint32_t leaves_for(std::size_t point_count) {
   std::uint32_t leaves = 1;
-  while (point_count / leaves >= KdOrder::kLargestLeaf) leaves *= 2;
+  while (point_count / leaves >= KdOrder::kMaxLeaf) leaves *= 2;
   return leaves;
 }
 

@@ -17,12 +17,12 @@ struct Box {
 };
 
 /// A balanced k-d tree without pointers. Node 1 is the root, node i has children 2i and 2i + 1; the leaf_count leaves
-/// are the nodes leaf_count .. 2 leaf_count - 1, a power of two chosen so that each holds kSmallestLeaf .. kLargestLeaf
+/// are the nodes leaf_count .. 2 leaf_count - 1, a power of two chosen so that each holds kMinLeaf .. kMaxLeaf
 /// points (the only leaf of a small tree may hold fewer). A node's points are contiguous, and where they begin and end
 /// follows from its number alone.
 struct KdOrder {
-  static constexpr std::uint32_t kSmallestLeaf = 8;
-  static constexpr std::uint32_t kLargestLeaf = 2 * kSmallestLeaf;  ///< so that a vector of 16 holds a leaf
+  static constexpr std::uint32_t kMinLeaf = 8;
+  static constexpr std::uint32_t kMaxLeaf = 2 * kMinLeaf;  ///< so that a vector of 16 holds a leaf
 
   std::vector<Point> points;    ///< the instance, reordered
   std::vector<Index> original;  ///< their positions in the instance

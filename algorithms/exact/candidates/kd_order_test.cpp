@@ -62,9 +62,9 @@ void expect_kd_order(Points points, const KdOrder& order) {
       expect_split(order, node);
       continue;
     }
-    EXPECT_LE(order.last_of(node) - order.first_of(node), KdOrder::kLargestLeaf);
+    EXPECT_LE(order.last_of(node) - order.first_of(node), KdOrder::kMaxLeaf);
     if (order.leaf_count > 1) {
-      EXPECT_GE(order.last_of(node) - order.first_of(node), KdOrder::kSmallestLeaf);
+      EXPECT_GE(order.last_of(node) - order.first_of(node), KdOrder::kMinLeaf);
     }
   }
 }

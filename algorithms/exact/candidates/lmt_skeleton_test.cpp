@@ -55,7 +55,7 @@ TEST(LmtSkeleton, ContainsTheOptimumAtTheLimitsOfFloats) {
 TEST(Star, HoldsComponentsThatFloatsCanMultiply) {
   EXPECT_EQ(Star::component(0, 0x1p60), 0);
   EXPECT_EQ(Star::component(-3, 0x1p58), -0x3p58F);
-  EXPECT_EQ(Star::component(0x1p-110, 0x1p60), Star::kSmallestComponent);
+  EXPECT_EQ(Star::component(0x1p-110, 0x1p60), Star::kMinComponent);
   EXPECT_TRUE(std::isnan(Star::component(0x1.fffp-111, 0x1p60)));
   EXPECT_TRUE(std::isnan(Star::component(-0x1p-1074, 0x1p60)));
   EXPECT_TRUE(std::isnan(Star::component(0x1p-1074, 0x1p-900))) << "the product is 0";

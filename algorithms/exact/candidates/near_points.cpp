@@ -22,8 +22,8 @@ float box_distance(const Box& a, const Box& b, double scale) {
 
 void NearPointsFinder::append_leaf(std::uint32_t leaf, float distance) {
   constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-  std::size_t place = static_cast<std::size_t>(near_.leaves) * KdOrder::kLargestLeaf;
-  const std::size_t end = place + KdOrder::kLargestLeaf;
+  std::size_t place = static_cast<std::size_t>(near_.leaves) * KdOrder::kMaxLeaf;
+  const std::size_t end = place + KdOrder::kMaxLeaf;
   for (Index i = order_.first_of(leaf); i < order_.last_of(leaf); ++i, ++place) {
     near_.x[place] = order_.points[i].x;
     near_.y[place] = order_.points[i].y;
@@ -76,7 +76,7 @@ const NearPoints& NearPointsFinder::add_samples(std::uint32_t leaf) {
     }
   }
   // Vectors may read past the end.
-  for (std::size_t i = 0; i < KdOrder::kLargestLeaf; ++i) near_.x[place + i] = near_.y[place + i] = kNothing;
+  for (std::size_t i = 0; i < KdOrder::kMaxLeaf; ++i) near_.x[place + i] = near_.y[place + i] = kNothing;
   return near_;
 }
 

@@ -13,7 +13,7 @@ namespace mwt {
 /// The power of two that scales the tree's extent to [2^60, 2^61). Extents below 2^-940 stay smaller.
 [[nodiscard]] double distance_scale(const KdOrder& order);
 
-/// Lower bound of the scaled distance between two boxes, if it is at least kSmallestDistance; 0 if they touch.
+/// Lower bound of the scaled distance between two boxes, if it is at least kMinDistance; 0 if they touch.
 [[nodiscard]] float box_distance(const Box& a, const Box& b, double scale);
 
 /// Finds near points leaf by leaf; holds the space that the search needs.

@@ -22,17 +22,17 @@ struct Star {
   static constexpr std::uint32_t kWorthExamining = 512;
 
   /// A component of a vector: the difference of two coordinates times the scale (distance_scale() in near_points.h), as
-  /// a float. Exact zeros stay; what is smaller than kSmallestComponent otherwise is not a number: no comparison with
+  /// a float. Exact zeros stay; what is smaller than kMinComponent otherwise is not a number: no comparison with
   /// it holds, so none decides anything.
   ///
   /// So each component errs by 2^-24 of itself at most, and products of two are 0 or between 2^-100 and 2^123: sums of
   /// a few of them keep relative error bounds, as do margins down to 2^-26 of such products, which are normal numbers
   /// (at least 2^-126). The difference of two components may be as small as 2^-74, and products of two of these may
   /// underflow by 2^-150, which is nothing to a margin that is relative to the components' own squares.
-  static constexpr float kSmallestComponent = 0x1p-50F;
+  static constexpr float kMinComponent = 0x1p-50F;
   [[nodiscard]] static float component(double difference, double scale) {
     const double scaled = difference * scale;
-    const bool is_lost = std::abs(scaled) < kSmallestComponent && difference != 0;
+    const bool is_lost = std::abs(scaled) < kMinComponent && difference != 0;
     return is_lost ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(scaled);
   }
 

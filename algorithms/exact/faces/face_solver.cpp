@@ -43,7 +43,7 @@ struct Part {
   std::vector<Walk> late_walks;       // polygons that the deadline left
   std::vector<Index> isolated;
   std::uint64_t faces = 0;
-  std::uint64_t largest_face = 0;
+  std::uint64_t max_face = 0;
 };
 
 // Calls progress(done) now and then, from one thread at a time.
@@ -221,7 +221,7 @@ void FaceSolver::solve_walk(const Walk& walk, PolygonFaceSolver& solver, Part& p
     part.solved.triangles.push_back({walk[0].vertex, walk[1].vertex, walk[2].vertex});
     return;
   }
-  part.largest_face = std::max<std::uint64_t>(part.largest_face, walk.size());
+  part.max_face = std::max<std::uint64_t>(part.max_face, walk.size());
   switch (solver.solve(walk, context_.deadline, part.solved)) {
     case PolygonFaceOutcome::solved: ++part.faces; break;
     case PolygonFaceOutcome::not_a_polygon: part.composite_walks.push_back(walk); break;
@@ -319,7 +319,7 @@ void FaceSolver::assemble(FaceSolution& solution) {
   for (const Part& part : parts_) {
     first.push_back(first.back() + part.solved.triangles.size());
     solution.faces += part.faces;
-    solution.largest_face = std::max(solution.largest_face, part.largest_face);
+    solution.max_face = std::max(solution.max_face, part.max_face);
   }
   solution.triangles.resize(first.back());
   tbb::parallel_for(std::size_t{0}, parts_.size(), [&](std::size_t i) {

@@ -180,7 +180,7 @@ TEST(FaceSolver, TriangulatesAroundSlitsAsPolygon) {
   expect_valid(kSquareWithPoints, solution);
   EXPECT_TRUE(solution.proved);
   EXPECT_EQ(solution.faces, 1);
-  EXPECT_EQ(solution.largest_face, 10) << "the square and both sides of three edges";
+  EXPECT_EQ(solution.max_face, 10) << "the square and both sides of three edges";
   EXPECT_EQ(solution.faces_with_holes, 0);
 }
 
@@ -275,7 +275,7 @@ TEST(FaceSolver, SolvesLargeConvexFaces) {
   for (const auto& points : {regular_polygon(70), regular_polygon(101), integer_circle()}) {
     const FaceSolution solution = solve(complete_graph(points));
     expect_optimal(points, solution, convex_optimum(points));
-    EXPECT_EQ(solution.largest_face, points.size());
+    EXPECT_EQ(solution.max_face, points.size());
     EXPECT_EQ(solution.faces_with_holes, 0);
     EXPECT_GT(solution.precise_comparisons, 0);
   }

@@ -26,7 +26,7 @@ constexpr std::size_t kSmallFace = 32;
 // close.
 double close_above(double least) {
   if (least == 0) return 0;
-  if (least < kSmallestTrustedLength) return std::numeric_limits<double>::max();
+  if (least < kMinTrustedLength) return std::numeric_limits<double>::max();
   return least + least * 0x1p-50;
 }
 
@@ -227,7 +227,7 @@ int PolygonFaceSolver::compare_options(Position from, const Option& one, const O
   const DoubleDouble sum = value(one);
   const double difference = (sum - value(other)).high;
   const double error = 3 * (static_cast<double>(corners_.size()) + 8) * kDoubleDoubleError * sum.high;
-  if (sum.high >= kSmallestTrustedLength && std::abs(difference) > error) return difference > 0 ? 1 : -1;
+  if (sum.high >= kMinTrustedLength && std::abs(difference) > error) return difference > 0 ? 1 : -1;
   collect_diagonals(from, one, one_);
   collect_diagonals(from, other, other_);
   const std::optional<int> sign = compare_length_sums(graph_.points, one_, other_);

@@ -26,7 +26,7 @@ double cross(const Vector& p, const Vector& q) {
 // Each bound's error is smaller than this margin, also where the products underflow.
 template <class Vector>
 double error(const Vector& p, const Vector& q) {
-  return kMargin * (p.squared_length + q.squared_length) + kSmallestTrustedProduct;
+  return kMargin * (p.squared_length + q.squared_length) + kMinTrustedProduct;
 }
 
 // Of the angle counter-clockwise from p to q, below a full turn. In doubt no.
@@ -65,7 +65,7 @@ bool CrossingBounds::seems_certain(MeshEdge e) {
   return true;
 }
 
-bool CrossingBounds::find(std::span<const MeshEdge> face, std::size_t most_steps_per_edge) {
+bool CrossingBounds::find(std::span<const MeshEdge> face, std::size_t max_steps_per_edge) {
   bounds_ = std::make_unique_for_overwrite<float[]>(mesh_.edge_count());
   is_judged_.resize(mesh_.point_count());
   for (const MeshEdge e : face) {
@@ -77,7 +77,7 @@ bool CrossingBounds::find(std::span<const MeshEdge> face, std::size_t most_steps
       if (!is_judged_[mesh_.origin(h)]) judge_star(h);
     }
   }
-  const bool found = spread(most_steps_per_edge * face.size());
+  const bool found = spread(max_steps_per_edge * face.size());
   forget_lowered();
   return found;
 }
@@ -185,10 +185,10 @@ void CrossingBounds::judge_pair(std::size_t first, std::size_t last) {
 
 // What has become crossable lets more be seen: from the apexes of its own triangles, and, as the far side of a
 // triangle, from those of the triangles next to these.
-bool CrossingBounds::spread(std::size_t most_steps) {
+bool CrossingBounds::spread(std::size_t max_steps) {
   steps_ = 0;
   for (std::size_t i = 0; i < lowered_.size(); ++i) {
-    if (steps_ > most_steps) return false;
+    if (steps_ > max_steps) return false;
     const MeshEdge e = lowered_[i];
     mesh_.marks(e) &= ~kLoweredMark;
     for (const Halfedge h : {2 * e, 2 * e + 1}) {
@@ -236,7 +236,7 @@ void CrossingBounds::look_past(const Sight& sight, Halfedge first, Turn turn) {
   if (spokes_.size() > kLargeStar || !trusted) return give_up_star(first);
   double squared = kInfinite;
   for (std::size_t i = spokes_.size() - 1; i > 0; --i) {
-    squared = std::min(squared, least_squared(sight, i, turn));
+    squared = std::min(squared, min_squared(sight, i, turn));
     const Spoke& between = spokes_[i - 1];
     if (squared <= between.squared_length * (1 + kMargin)) lower(between.halfedge, squared * (1 - kMargin));
   }
@@ -268,7 +268,7 @@ void CrossingBounds::collect_half_turn(const Sight& sight, Halfedge first, Turn 
 }
 
 // For edges between what is in sight and spoke i or what is seen between it and the one before.
-double CrossingBounds::least_squared(const Sight& sight, std::size_t i, Turn turn) const {
+double CrossingBounds::min_squared(const Sight& sight, std::size_t i, Turn turn) const {
   const Spoke &last = spokes_[i], &before = spokes_[i - 1];
   if (is_acute(sight.far, last)) return kInfinite;
   double result = kInfinite;
@@ -283,11 +283,11 @@ double CrossingBounds::least_squared(const Sight& sight, std::size_t i, Turn tur
 }
 
 void CrossingBounds::lower(Halfedge h, double bound) {
-  constexpr double kLeast = kSmallestTrustedFloat, kMost = kLargestTrustedFloat, kFloatMargin = 1e-6;
+  constexpr double kMin = kMinTrustedFloat, kMax = kMaxTrustedFloat, kFloatMargin = 1e-6;
   if (bound == kInfinite) return;
   const MeshEdge e = edge_of(h);
   if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) != kFaceMark) return;
-  const float rounded = bound < kLeast ? 0 : static_cast<float>(std::min(bound, kMost) * (1 - kFloatMargin));
+  const float rounded = bound < kMin ? 0 : static_cast<float>(std::min(bound, kMax) * (1 - kFloatMargin));
   if (rounded >= bounds_[e]) return;
   bounds_[e] = rounded;
   if ((mesh_.marks(e) & kLoweredMark) != 0) return;

@@ -26,7 +26,7 @@ class CrossingBounds {
   [[nodiscard]] bool is_promising(std::span<const MeshEdge> face);
 
   /// Finds the bounds; 4 bytes per edge of the mesh. False, and none found, if it takes more steps than that.
-  [[nodiscard]] bool find(std::span<const MeshEdge> face, std::size_t most_steps_per_edge = 16);
+  [[nodiscard]] bool find(std::span<const MeshEdge> face, std::size_t max_steps_per_edge = 16);
 
   /// Whether e is certainly greedy. Precondition: e is of the face of the last find(), which succeeded.
   [[nodiscard]] bool is_certain(MeshEdge e) const { return bounds_[e] == kNeverCrossed; }
@@ -64,13 +64,13 @@ class CrossingBounds {
   void judge_wedge();
   [[nodiscard]] bool judge_pairs();
   void judge_pair(std::size_t first, std::size_t last);
-  [[nodiscard]] bool spread(std::size_t most_steps);
+  [[nodiscard]] bool spread(std::size_t max_steps);
   void look_through(Halfedge window, Turn turn);
   [[nodiscard]] double beyond(Halfedge side, double squared) const;
   void look_past(const Sight& sight, Halfedge first, Turn turn);
   void give_up_star(Halfedge h);
   void collect_half_turn(const Sight& sight, Halfedge first, Turn turn);
-  [[nodiscard]] double least_squared(const Sight& sight, std::size_t i, Turn turn) const;
+  [[nodiscard]] double min_squared(const Sight& sight, std::size_t i, Turn turn) const;
   void lower(Halfedge h, double bound);
   void forget_lowered();
 

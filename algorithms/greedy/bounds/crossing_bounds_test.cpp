@@ -58,11 +58,11 @@ TEST(CrossingBoundsSlow, CertainEdgesAreGreedyOnManyInstances) {
   EXPECT_GT(test::sum_over_instances(100, 120, expect_greedy), 100'000U);
 }
 
-std::size_t sum_over_extreme_points(std::uint64_t sets, std::size_t largest_n) {
+std::size_t sum_over_extreme_points(std::uint64_t sets, std::size_t max_n) {
   std::size_t sum = 0;
   for (std::uint64_t seed = 0; seed < sets; ++seed) {
     const auto kind = static_cast<test::ExtremePoints::Kind>(seed % test::ExtremePoints::kKinds);
-    const std::size_t n = 5 + seed / test::ExtremePoints::kKinds % (largest_n - 4);
+    const std::size_t n = 5 + seed / test::ExtremePoints::kKinds % (max_n - 4);
     const std::vector<Point> points = test::ExtremePoints(seed).draw(kind, n);
     const std::string name = "kind " + std::to_string(kind) + " seed " + std::to_string(seed);
     if (!points.empty()) sum += expect_greedy(points, name);

@@ -11,13 +11,13 @@ constexpr double kMargin = 1e-13;  // squared distances err by less than 4.5e-16
 
 }  // namespace
 
-bool WindowSearch::shows_nothing_near(Halfedge window, double squared, std::size_t most_steps) {
+bool WindowSearch::shows_nothing_near(Halfedge window, double squared, std::size_t max_steps) {
   squared_ = squared;
   c_ = mesh_.point(mesh_.apex(window));
   from_ = mesh_.point(mesh_.origin(window));
   to_ = mesh_.point(mesh_.target(window));
   count_ = 0;
-  const std::size_t last_step = steps_ + most_steps;
+  const std::size_t last_step = steps_ + max_steps;
   if (!open(window)) return false;
   while (count_ > 0) {
     if (++steps_ > last_step) return false;
@@ -41,7 +41,7 @@ bool WindowSearch::open(Halfedge window) {
     if (squared_distance(mesh_.apex(window)) < squared_ * (1 - kMargin)) return true;
     if (is_surely_farther(c_, mesh_.point(from), mesh_.point(to), squared_)) return true;
   }
-  if (count_ == kMostWindows) return false;
+  if (count_ == kMaxWindows) return false;
   windows_[count_++] = window;
   return true;
 }

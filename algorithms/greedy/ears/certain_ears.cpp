@@ -33,8 +33,8 @@ void CertainEars::look_at_waiting(FaceBoundary& boundary) {
 }
 
 // A few long searches may be what others wait for.
-void CertainEars::look_at_put_off(FaceBoundary& boundary, std::size_t most_steps) {
-  const std::size_t last_step = search_.steps() + most_steps;
+void CertainEars::look_at_put_off(FaceBoundary& boundary, std::size_t max_steps) {
+  const std::size_t last_step = search_.steps() + max_steps;
   for (std::size_t i = 0; i < put_off_.size() && !stopped_ && search_.steps() < last_step; ++i) {
     look_at(boundary, put_off_[i], last_step - search_.steps());
     look_at_waiting(boundary);
@@ -44,9 +44,9 @@ void CertainEars::look_at_put_off(FaceBoundary& boundary, std::size_t most_steps
 }
 
 // Takes the corner off if its ear is certain; then its neighbours and theirs are to be looked at.
-void CertainEars::look_at(FaceBoundary& boundary, Corner c, std::size_t most_steps) {
+void CertainEars::look_at(FaceBoundary& boundary, Corner c, std::size_t max_steps) {
   if (boundary.is_cut(c) || boundary.is_of_triangle(c)) return;
-  if (is_certain(boundary, c, most_steps)) {
+  if (is_certain(boundary, c, max_steps)) {
     take_ear(boundary, c);
     const Corner next = boundary.next(c), previous = boundary.previous(c);
     waiting_.insert(waiting_.end(), {previous, next, boundary.previous(previous), boundary.next(next)});
@@ -55,14 +55,14 @@ void CertainEars::look_at(FaceBoundary& boundary, Corner c, std::size_t most_ste
   }
 }
 
-bool CertainEars::is_certain(const FaceBoundary& boundary, Corner c, std::size_t most_steps) {
+bool CertainEars::is_certain(const FaceBoundary& boundary, Corner c, std::size_t max_steps) {
   const Corner next = boundary.next(c), previous = boundary.previous(c);
   return search_.is_certain({boundary.wedge(c),
                              boundary.point(c),
                              boundary.point(next),
                              boundary.point(previous),
                              {boundary.point(boundary.next(next)), boundary.point(boundary.previous(previous))}},
-                            most_steps);
+                            max_steps);
 }
 
 void CertainEars::take_ear(FaceBoundary& boundary, Corner c) {

@@ -42,9 +42,9 @@ class CertainEars {
   static constexpr std::size_t kStepsPerCorner = 4;  // of all that were put off
 
   void look_at_waiting(FaceBoundary& boundary);
-  void look_at_put_off(FaceBoundary& boundary, std::size_t most_steps);
-  void look_at(FaceBoundary& boundary, Corner c, std::size_t most_steps);
-  [[nodiscard]] bool is_certain(const FaceBoundary& boundary, Corner c, std::size_t most_steps);
+  void look_at_put_off(FaceBoundary& boundary, std::size_t max_steps);
+  void look_at(FaceBoundary& boundary, Corner c, std::size_t max_steps);
+  [[nodiscard]] bool is_certain(const FaceBoundary& boundary, Corner c, std::size_t max_steps);
   void take_ear(FaceBoundary& boundary, Corner c);
 
   PlanarMesh& mesh_;

@@ -9,9 +9,9 @@
 
 namespace mwt {
 
-bool EarSearch::is_certain(const EarSite& site, std::size_t most_steps) {
+bool EarSearch::is_certain(const EarSite& site, std::size_t max_steps) {
   site_ = site;
-  last_step_ = steps_ + most_steps;
+  last_step_ = steps_ + max_steps;
   gave_up_ = false;
   apex_ = mesh_.point(site.apex);
   a_ = mesh_.point(site.next);
@@ -80,7 +80,7 @@ bool EarSearch::open(const Window& window, Reach third) {
   if (both_outside && third == Reach::inside) return true;
   const Point &from = mesh_.point(window.from.point), &to = mesh_.point(window.to.point);
   if (both_outside && is_surely_farther(apex_, from, to, squared_length_)) return true;
-  if (count_ == kMostWindows) return false;
+  if (count_ == kMaxWindows) return false;
   windows_[count_++] = window;
   return true;
 }

@@ -29,10 +29,10 @@ class EarSearch {
   /// triangle abc holds no other point, and ab precedes every edge from c through ab to a point visible from c. Only
   /// such edges cross ab without crossing a fixed edge (lemma 3 in README.md).
   ///
-  /// Searches the triangles behind ab that may come nearer to c than |ab|; gives up, with no, after `most_steps`. Exact
+  /// Searches the triangles behind ab that may come nearer to c than |ab|; gives up, with no, after `max_steps`. Exact
   /// where it says yes. Precondition: the mesh is a Delaunay triangulation constrained by the edges of kFixedMark, all
   /// greedy.
-  [[nodiscard]] bool is_certain(const EarSite& site, std::size_t most_steps);
+  [[nodiscard]] bool is_certain(const EarSite& site, std::size_t max_steps);
 
   /// Whether the last answer was no for want of patience only.
   [[nodiscard]] bool gave_up() const { return gave_up_; }
@@ -56,7 +56,7 @@ class EarSearch {
     Sight from;
     Sight to;
   };
-  static constexpr std::size_t kMostWindows = 32;
+  static constexpr std::size_t kMaxWindows = 32;
 
   [[nodiscard]] bool is_convex_and_not_acute() const;
   [[nodiscard]] bool stands_against(Index v) const;
@@ -78,7 +78,7 @@ class EarSearch {
   EarSite site_{};
   Point apex_{}, a_{}, b_{};
   double squared_length_ = 0;
-  std::array<Window, kMostWindows> windows_{};  // still to be looked through
+  std::array<Window, kMaxWindows> windows_{};  // still to be looked through
   std::size_t count_ = 0;
 };
 

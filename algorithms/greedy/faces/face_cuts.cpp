@@ -72,9 +72,9 @@ bool FaceCuts::shows_nothing_near(Halfedge h, std::size_t last_step) {
   const auto wedge = wedge_if_shortest(h);
   const Point &apex = mesh_.point(mesh_.origin(h)), &end = mesh_.point(mesh_.target(h));
   const double squared = rounded_squared_distance(apex, end) * (1 + kMargin);
-  const std::size_t most_steps = last_step - search_.steps();
-  return search_.shows_nothing_near(mesh_.next(wedge->first), squared, most_steps) &&
-         search_.shows_nothing_near(mesh_.previous(twin(wedge->last)), squared, most_steps);
+  const std::size_t max_steps = last_step - search_.steps();
+  return search_.shows_nothing_near(mesh_.next(wedge->first), squared, max_steps) &&
+         search_.shows_nothing_near(mesh_.previous(twin(wedge->last)), squared, max_steps);
 }
 
 }  // namespace mwt

@@ -22,17 +22,17 @@ void EdgeSorter::sort(std::span<const MeshEdge> edges) {
   decided_ = 0;
   // The bits of non-negative doubles order like the doubles.
   keys_.resize(edges.size());
-  std::uint64_t largest_bits = 0;
-  smallest_bits_ = ~std::uint64_t{0};
+  std::uint64_t max_bits = 0;
+  min_bits_ = ~std::uint64_t{0};
   for (std::size_t i = 0; i < edges.size(); ++i) {
     keys_[i] = std::bit_cast<std::uint64_t>(rounded_squared_length(mesh_, edges[i]));
-    smallest_bits_ = std::min(smallest_bits_, keys_[i]);
-    largest_bits = std::max(largest_bits, keys_[i]);
+    min_bits_ = std::min(min_bits_, keys_[i]);
+    max_bits = std::max(max_bits, keys_[i]);
   }
-  const int length_bits = bits_of(largest_bits - smallest_bits_);
+  const int length_bits = bits_of(max_bits - min_bits_);
   dropped_bits_ = std::max(0, length_bits + kEdgeBits - 64);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    keys_[i] = ((keys_[i] - smallest_bits_) >> dropped_bits_ << kEdgeBits) | edges[i];
+    keys_[i] = ((keys_[i] - min_bits_) >> dropped_bits_ << kEdgeBits) | edges[i];
   }
   constexpr std::size_t kManyEdges = 1000;
   if (edges.size() < kManyEdges) {
@@ -48,7 +48,7 @@ bool EdgeSorter::surely_increases(std::size_t i) const {
   if (here <= before) return false;
   // Squared lengths in the trusted range are apart by more than twice the 9 ulps by which they may err together.
   constexpr std::uint64_t kSafeUlps = 32;
-  const std::uint64_t least = smallest_bits_ + (here << dropped_bits_);
+  const std::uint64_t least = min_bits_ + (here << dropped_bits_);
   return is_trusted_product(std::bit_cast<double>(least)) && ((here - before - 1) << dropped_bits_) >= kSafeUlps;
 }
 
@@ -63,7 +63,7 @@ EdgeSorter::Run EdgeSorter::next_run() const {
 
 // The least squared length with these leading bits.
 double EdgeSorter::rounded_down(std::uint64_t leading_bits) const {
-  return std::bit_cast<double>(smallest_bits_ + (leading_bits << dropped_bits_));
+  return std::bit_cast<double>(min_bits_ + (leading_bits << dropped_bits_));
 }
 
 void EdgeSorter::decide(const Run& run, bool any_order) {
@@ -90,12 +90,12 @@ constexpr std::uint64_t kMargin = 64;
 
 std::uint64_t length_bits(const Candidate& candidate) {
   return std::bit_cast<std::uint64_t>(
-      std::clamp(candidate.key().squared_length.high, kSmallestTrustedProduct, kLargestTrustedProduct));
+      std::clamp(candidate.key().squared_length.high, kMinTrustedProduct, kMaxTrustedProduct));
 }
 
 std::uint64_t bucket_of(const Candidate& candidate) { return (length_bits(candidate) - kMargin) >> kBucketShift; }
 
-std::uint64_t least_length_bits(std::uint64_t bucket) { return (bucket << kBucketShift) + kMargin; }
+std::uint64_t min_length_bits(std::uint64_t bucket) { return (bucket << kBucketShift) + kMargin; }
 
 }  // namespace
 
@@ -136,7 +136,7 @@ void CandidateHeap::set_long_ones_aside() {
 void CandidateHeap::open_due_buckets() {
   while (!waiting_.empty()) {
     const auto first = waiting_.begin();
-    if (!empty() && length_bits(top()) + kMargin / 2 < least_length_bits(first->first)) return;
+    if (!empty() && length_bits(top()) + kMargin / 2 < min_length_bits(first->first)) return;
     sorted_.erase(sorted_.begin(), sorted_.begin() + static_cast<std::ptrdiff_t>(next_));
     next_ = 0;
     while (!waiting_.empty() && sorted_.size() < kLargeBucket) {

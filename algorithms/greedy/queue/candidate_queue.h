@@ -80,7 +80,7 @@ class EdgeSorter {
   KeptVector<std::uint64_t> keys_;  // high bits: truncated squared length; low bits: edge
   KeptVector<std::uint64_t> buffer_;
   KeptVector<EdgeKey> run_;
-  std::uint64_t smallest_bits_ = 0;
+  std::uint64_t min_bits_ = 0;
   int dropped_bits_ = 0;
   std::size_t decided_ = 0;
 };

@@ -12,9 +12,9 @@
 
 namespace mwt::test {
 
-/// The edges of greedy_report, sorted.
+/// The edges of greedy_naive, sorted.
 inline std::vector<Edge> greedy_edges(Points points) {
-  const AlgorithmInfo& info = find_algorithm("greedy_report");
+  const AlgorithmInfo& info = find_algorithm("greedy_naive");
   Context context;
   context.parameters = Parameters(info.name, info.parameters, {});
   return edges_of(info.function(points, context).triangulation);

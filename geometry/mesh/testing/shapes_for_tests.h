@@ -14,12 +14,12 @@ namespace mwt::test {
 struct Shape {
   std::string name;
   std::vector<Point> (*make)(std::size_t n, std::mt19937_64& random);
-  std::size_t largest_n = 1'000'000;  ///< coordinates beyond all filters make every decision take microseconds
+  std::size_t max_n = 1'000'000;  ///< coordinates beyond all filters make every decision take microseconds
 };
 
 [[nodiscard]] const std::vector<Shape>& shapes();
 
-/// At most min(n, shape.largest_n) points of the shape, seeded; n >= 3.
+/// At most min(n, shape.max_n) points of the shape, seeded; n >= 3.
 [[nodiscard]] std::vector<Point> make_shape(const Shape& shape, std::size_t n, std::uint64_t seed);
 
 }  // namespace mwt::test

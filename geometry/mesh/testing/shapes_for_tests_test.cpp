@@ -213,7 +213,7 @@ const std::vector<Shape>& shapes() {
 
 std::vector<Point> make_shape(const Shape& shape, std::size_t n, std::uint64_t seed) {
   Random random(seed);
-  n = std::min(n, shape.largest_n);
+  n = std::min(n, shape.max_n);
   while (true) {
     std::vector<Point> points = distinct(shape.make(std::max<std::size_t>(n, 4), random));
     while (points.size() > n) points.pop_back();

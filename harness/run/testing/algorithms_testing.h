@@ -113,7 +113,7 @@ inline AlgorithmInfo entry(const std::string& name, AlgorithmFunction function,
   info.name = name;
   info.summary = "for tests";
   info.exactness = exactness;
-  info.largest_n = 100000;
+  info.max_n = 100000;
   info.function = function;
   return info;
 }
@@ -140,7 +140,7 @@ inline Catalogue test_catalogue() {
         entry("grumbles", fail_and_say_so),
         entry("misspells", misspell_a_parameter),
     };
-    entries[12].largest_n = 5;
+    entries[12].max_n = 5;
     for (const std::size_t i : {13, 16}) {
       entries[i].parameters = {{"k", ParameterType::integer, "4", "a number"},
                                {"start", ParameterType::text, "sweep", "where to begin", {"sweep", "greedy"}}};

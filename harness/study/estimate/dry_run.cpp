@@ -18,12 +18,12 @@ namespace mwt {
 
 namespace {
 
-constexpr std::size_t kMostListed = 8;
+constexpr std::size_t kMaxListed = 8;
 constexpr double kCalibrationTime = 8;  // s
 
 template <class Number>
 std::string listed(const std::set<Number>& numbers) {
-  if (numbers.size() > kMostListed) {
+  if (numbers.size() > kMaxListed) {
     return std::to_string(*numbers.begin()) + " .. " + std::to_string(*numbers.rbegin()) + " (" +
            std::to_string(numbers.size()) + " of them)";
   }
@@ -59,17 +59,17 @@ std::string algorithm_table(const Plan& plan) {
   struct Row {
     std::size_t runs = 0;
     std::size_t beyond = 0;
-    Index largest_n = 0;
+    Index max_n = 0;
   };
   std::map<std::string, Row> rows;
   for (const PlannedRun& run : plan.runs) {
     Row& row = rows[name_with_parameters(run.algorithm->name, run.parameters.canonical())];
     ++(is_within_reach(run, plan) ? row.runs : row.beyond);
-    row.largest_n = run.largest_n;
+    row.max_n = run.max_n;
   }
   AlignedTable table({"algorithm", "runs", "largest n", "not started beyond it"});
   for (const auto& [name, row] : rows) {
-    table.add_row({name, std::to_string(row.runs), std::to_string(row.largest_n), std::to_string(row.beyond)});
+    table.add_row({name, std::to_string(row.runs), std::to_string(row.max_n), std::to_string(row.beyond)});
   }
   return table.text("  ");
 }

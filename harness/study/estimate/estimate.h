@@ -53,7 +53,7 @@ std::size_t calibrate(TimeModel& model, const Study& study, const Plan& plan, co
 
 /// Whether the run is started at all.
 [[nodiscard]] inline bool is_within_reach(const PlannedRun& run, const Plan& plan) {
-  return plan.instances[run.instance].n <= run.largest_n;
+  return plan.instances[run.instance].n <= run.max_n;
 }
 
 }  // namespace mwt

@@ -56,7 +56,7 @@ TEST(PastTimes, AreThoseOfAnyStudyOnThisMachine) {
   here.instances = {instance, instance};
   here.instances[1].n = 20;
   here.instances[1].optimum_note = kCachedNote;
-  write_records(folder.path("results/nights/one"), here);
+  write_records(folder.path("results/nightly/one"), here);
   StudyRecords elsewhere;
   elsewhere.environments = {machine("elsewhere")};
   elsewhere.runs = {run_of(40, 1, "elsewhere")};
@@ -72,7 +72,7 @@ TEST(PastTimes, AreThoseOfAnyStudyOnThisMachine) {
   EXPECT_EQ(model.predict({"flip order=best", "uniform", 30}, 60).low, 10);
   EXPECT_EQ(predicted(model, "exact", 10), 3);
   EXPECT_EQ(predicted(model, "exact", 20), -1) << "a look-up in the cache tells nothing";
-  EXPECT_EQ(add_past_times(model, {folder.path("results/nights/one")}, machine("here"), 2).runs, 0u) << "other threads";
+  EXPECT_EQ(add_past_times(model, {folder.path("results/nightly/one")}, machine("here"), 2).runs, 0u) << "other threads";
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(TimeModel, AnotherVariantIsBetterThanNothing) {
   const TimePrediction prediction = model.predict({"flip order=best", "uniform", 1000}, kLimit);
   EXPECT_EQ(prediction.basis, TimeBasis::other_variants);
   EXPECT_NEAR(prediction.seconds, 1, 1e-9);
-  EXPECT_EQ(model.predict({"flip_report", "uniform", 1000}, kLimit).basis, TimeBasis::nothing);
+  EXPECT_EQ(model.predict({"flip_naive", "uniform", 1000}, kLimit).basis, TimeBasis::nothing);
 }
 
 TEST(TimeModel, WhatMetItsLimitMayTakeLonger) {

@@ -233,35 +233,35 @@ class Comparer {
   void note_load() { note("load: base " + load_text(state_of(base_)) + "; new results " + load_text(state_of(now_))); }
 
   /// Of pairs everything can be told; of two folders nothing is excluded unless the machine was in the same state.
-  Measuring measuring(bool has_yardstick) {
-    if (comparison_.options.paired) return {has_yardstick, true};
-    const std::string difference = difference_of_states(has_yardstick);
+  Measuring measuring(bool has_delaunay_time) {
+    if (comparison_.options.paired) return {has_delaunay_time, true};
+    const std::string difference = difference_of_states(has_delaunay_time);
     if (!difference.empty()) note(difference + ": no slowdown is excluded by these results");
-    return {has_yardstick, difference.empty()};
+    return {has_delaunay_time, difference.empty()};
   }
 
   /// Why a slowdown may not show in two folders; empty if there is no reason.
-  std::string difference_of_states(bool has_yardstick) const {
-    if (!has_yardstick) return "nothing tells whether the machine was as fast both times";
+  std::string difference_of_states(bool has_delaunay_time) const {
+    if (!has_delaunay_time) return "nothing tells whether the machine was as fast both times";
     for (const ResultSet* side : {&base_, &now_}) {
       if (was_busy(state_of(*side))) return "the machine was busy with other programs";
       if (!was_idle(state_of(*side))) return "no CPU times tell whether the machine was busy with other programs";
     }
     std::vector<double> log_ratios;
     for (const CommonCell& cell : common_) {
-      const auto before = yardstick_of(cell.base), after = yardstick_of(cell.now);
+      const auto before = delaunay_time_of(cell.base), after = delaunay_time_of(cell.now);
       if (before && after) log_ratios.push_back(std::log(*after / *before));
     }
     const double ratio = std::exp(pseudo_median(log_ratios));
     const double most = 1 + comparison_.options.threshold;
     if (ratio <= most && ratio >= 1 / most) return "";
-    return "the yardstick itself took x" + fixed(ratio, 3) + " as long";
+    return "the Delaunay time itself took x" + fixed(ratio, 3) + " as long";
   }
 
-  static std::optional<double> yardstick_of(const Runs& runs) {
+  static std::optional<double> delaunay_time_of(const Runs& runs) {
     std::vector<double> times;
     for (const RunRecord* run : runs) {
-      if (run->yardstick_time_s.value_or(0) > 0) times.push_back(*run->yardstick_time_s);
+      if (run->delaunay_time_s.value_or(0) > 0) times.push_back(*run->delaunay_time_s);
     }
     return times.empty() ? std::nullopt : std::optional(median(times));
   }
@@ -284,12 +284,12 @@ class Comparer {
     comparison_.cells.push_back(row);
   }
 
-  void note_weaknesses(const std::vector<TimedCell>& timed, bool has_yardstick) {
+  void note_weaknesses(const std::vector<TimedCell>& timed, bool has_delaunay_time) {
     if (comparison_.options.paired) return note_too_few_pairs(timed);
     note(
         "measured at different times: only differences beyond machine drift are reported; --build-a and --build-b run "
         "two builds in turn, which shows smaller ones");
-    if (!has_yardstick) note("no yardstick in these results: what slows all algorithms alike does not show");
+    if (!has_delaunay_time) note("no Delaunay time in these results: what slows all algorithms alike does not show");
     if (timed.size() < kCellsToTellSpread)
       note("too few cells to see how differently the two sessions treat them: cells are judged by repetitions alone");
   }

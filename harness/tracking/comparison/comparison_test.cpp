@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "harness/tracking/comparison/comparison_text.h"
-#include "harness/tracking/testing/synthetic_nights_testing.h"
+#include "harness/tracking/testing/synthetic_nightly_runs.h"
 
 namespace mwt {
 namespace {
@@ -17,9 +17,9 @@ using testing::Tamper;
 
 constexpr std::uint64_t kSeed = 1;
 
-ResultSet results_of(const SyntheticStudy& study, int night, const Tamper& tamper = {}, std::uint64_t seed = kSeed) {
-  return {"night" + std::to_string(night),
-          testing::synthetic_runs(study, night, seed, tamper),
+ResultSet results_of(const SyntheticStudy& study, int nightly_run, const Tamper& tamper = {}, std::uint64_t seed = kSeed) {
+  return {"night" + std::to_string(nightly_run),
+          testing::synthetic_runs(study, nightly_run, seed, tamper),
           {testing::synthetic_environment()}};
 }
 
@@ -33,10 +33,10 @@ SyntheticStudy twenty_pairs(double noise) {
 
 /// Independent noise in every run, as two builds have it that are run in turn; wild values now and then.
 Tamper paired_noise(double noise, const std::string& slow_algorithm = "", double factor = 1) {
-  return [=](int night, RunRecord& run, RandomEngine& engine) {
+  return [=](int nightly_run, RunRecord& run, RandomEngine& engine) {
     double time = 0.001 * std::exp(noise * standard_normal(engine));
     if (uniform_unit(engine) < 0.05) time *= 2;
-    if (night == 1 && run.algorithm == slow_algorithm) time *= factor;
+    if (nightly_run == 1 && run.algorithm == slow_algorithm) time *= factor;
     run.wall_time_s = run.cpu_time_s = time;
   };
 }
@@ -149,10 +149,10 @@ SyntheticStudy many_cells() {
 int false_alarms_of_sessions(std::uint64_t experiments) {
   SyntheticStudy study = many_cells();
   study.noise = 0.1;
-  const auto busier = [](int night, RunRecord& run, RandomEngine&) {
-    if (night == 0) return;
+  const auto busier = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run == 0) return;
     *run.wall_time_s *= 1.4;
-    *run.yardstick_time_s *= 1.4;
+    *run.delaunay_time_s *= 1.4;
   };
   int alarms = 0;
   for (std::uint64_t seed = 1; seed <= experiments; ++seed) {
@@ -164,8 +164,8 @@ int false_alarms_of_sessions(std::uint64_t experiments) {
 }
 
 int sessions_that_find_patch(std::uint64_t experiments) {
-  const auto slow_patch = [](int night, RunRecord& run, RandomEngine&) {
-    if (night == 1 && run.algorithm == "patch") *run.wall_time_s *= 1.15;
+  const auto slow_patch = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run == 1 && run.algorithm == "patch") *run.wall_time_s *= 1.15;
   };
   int found = 0;
   for (std::uint64_t seed = 1; seed <= experiments; ++seed) {
@@ -186,16 +186,16 @@ TEST(CompareSlow, SessionsThatDifferGiveNoAlarm) { EXPECT_EQ(false_alarms_of_ses
 
 TEST(CompareSlow, FoldersShowASlowAlgorithm) { EXPECT_GE(sessions_that_find_patch(15), 14); }
 
-TEST(Compare, WhatSlowsEverythingIsToldOnlyByTheYardstick) {
-  const auto slow = [](int night, RunRecord& run, RandomEngine&) {
-    if (night == 1) *run.wall_time_s *= 1.3, *run.cpu_time_s *= 1.3;
+TEST(Compare, WhatSlowsEverythingShowsOnlyInTheDelaunayTime) {
+  const auto slow = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run == 1) *run.wall_time_s *= 1.3, *run.cpu_time_s *= 1.3;
   };
   const Comparison with = compare(results_of(many_cells(), 0, slow), results_of(many_cells(), 1, slow), {});
   EXPECT_EQ(row_of(with.algorithms, "all").verdict, Verdict::regression);
-  SyntheticStudy without_yardstick = many_cells();
-  without_yardstick.has_yardstick = false;
+  SyntheticStudy without_delaunay_time = many_cells();
+  without_delaunay_time.has_delaunay_time = false;
   const Comparison without =
-      compare(results_of(without_yardstick, 0, slow), results_of(without_yardstick, 1, slow), {});
+      compare(results_of(without_delaunay_time, 0, slow), results_of(without_delaunay_time, 1, slow), {});
   EXPECT_EQ(without.time_measure, "cpu_time_s");
   EXPECT_EQ(row_of(without.algorithms, "all").verdict, Verdict::unclear);
   EXPECT_NEAR(row_of(without.algorithms, "all").ratio.value, 1.3, 0.03);
@@ -203,9 +203,9 @@ TEST(Compare, WhatSlowsEverythingIsToldOnlyByTheYardstick) {
 }
 
 TEST(Compare, IdenticalBinariesAreReportedAsSuch) {
-  const auto same_binary = [](int night, RunRecord& run, RandomEngine&) {
+  const auto same_binary = [](int nightly_run, RunRecord& run, RandomEngine&) {
     run.binary_sha256 = "one";
-    if (night == 1) *run.wall_time_s *= 3, *run.cpu_time_s *= 3;
+    if (nightly_run == 1) *run.wall_time_s *= 3, *run.cpu_time_s *= 3;
   };
   const ResultSet base = results_of({}, 0, same_binary);
   const ResultSet now = results_of({}, 1, same_binary);
@@ -218,8 +218,8 @@ TEST(Compare, IdenticalBinariesAreReportedAsSuch) {
 }
 
 TEST(Compare, TimesOfDifferentMachinesAreRefused) {
-  const auto slow = [](int night, RunRecord& run, RandomEngine&) {
-    if (night == 1 && run.algorithm == "exact") *run.wall_time_s *= 3;
+  const auto slow = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run == 1 && run.algorithm == "exact") *run.wall_time_s *= 3;
   };
   const ResultSet base = results_of(many_cells(), 0, slow);
   ResultSet now = results_of(many_cells(), 1, slow);
@@ -260,8 +260,8 @@ TEST(Compare, CellsOfOneSideAndOtherInstancesAreCounted) {
   SyntheticStudy fewer;
   fewer.algorithms = {"delaunay", "flip"};
   fewer.sizes = {100, 500};
-  const auto other_points = [](int night, RunRecord& run, RandomEngine&) {
-    if (run.generator == "clustered") run.instance_id += std::to_string(night);
+  const auto other_points = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (run.generator == "clustered") run.instance_id += std::to_string(nightly_run);
   };
   const Comparison comparison = compare(results_of({}, 0, other_points), results_of(fewer, 1, other_points), {});
   EXPECT_EQ(comparison.compared_cells, 4u);
@@ -287,7 +287,7 @@ TEST(Compare, AnAlgorithmThatVanishedIsARegression) {
 }
 
 // What a nightly study is like: one algorithm became slower by a fifth, and the noise was taken for sameness.
-SyntheticStudy small_night() {
+SyntheticStudy small_nightly_run() {
   SyntheticStudy study;
   study.algorithms = {"delaunay", "flip", "greedy"};
   study.noise = 0.1;
@@ -296,12 +296,12 @@ SyntheticStudy small_night() {
 
 TEST(Compare, ASlowdownThatIsNotExcludedIsNeverTheSame) {
   for (const double factor : {1.2, 3.0}) {
-    const auto slow_flip = [=](int night, RunRecord& run, RandomEngine&) {
-      if (night == 1 && run.algorithm == "flip") *run.wall_time_s *= factor;
+    const auto slow_flip = [=](int nightly_run, RunRecord& run, RandomEngine&) {
+      if (nightly_run == 1 && run.algorithm == "flip") *run.wall_time_s *= factor;
     };
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const Comparison comparison =
-          compare(results_of(small_night(), 0, slow_flip, seed), results_of(small_night(), 1, slow_flip, seed), {});
+          compare(results_of(small_nightly_run(), 0, slow_flip, seed), results_of(small_nightly_run(), 1, slow_flip, seed), {});
       const Verdict flip = row_of(comparison.algorithms, "flip").verdict;
       EXPECT_TRUE(flip == Verdict::unclear || flip == Verdict::regression) << factor << ' ' << seed;
       EXPECT_NE(comparison.outcome(), Outcome::not_slower);
@@ -313,7 +313,7 @@ TEST(Compare, ASlowdownThatIsNotExcludedIsNeverTheSame) {
 }
 
 TEST(Compare, FoldersOfAQuietMachineExcludeASlowdown) {
-  SyntheticStudy study = small_night();
+  SyntheticStudy study = small_nightly_run();
   study.noise = 0.002;
   const Comparison comparison = compare(results_of(study, 0), results_of(study, 1), {});
   for (const TimeRow& row : comparison.algorithms) EXPECT_EQ(row.verdict, Verdict::same) << row.algorithm;
@@ -323,7 +323,7 @@ TEST(Compare, FoldersOfAQuietMachineExcludeASlowdown) {
 
 // On either side: a base that was slowed by others would hide a slowdown.
 TEST(Compare, FoldersOfABusyMachineExcludeNothing) {
-  SyntheticStudy study = small_night();
+  SyntheticStudy study = small_nightly_run();
   study.noise = 0.002;
   for (const bool base_is_busy : {true, false}) {
     ResultSet base = results_of(study, 0), now = results_of(study, 1);
@@ -338,7 +338,7 @@ TEST(Compare, FoldersOfABusyMachineExcludeNothing) {
 
 // Such a base is compared by wall times, on both sides.
 TEST(Compare, ABaseWhoseCpuClockTickedExcludesNothing) {
-  SyntheticStudy study = small_night();
+  SyntheticStudy study = small_nightly_run();
   study.noise = 0.002;
   ResultSet base = results_of(study, 0), now = results_of(study, 1);
   base.has_ticking_clock = true;
@@ -349,20 +349,20 @@ TEST(Compare, ABaseWhoseCpuClockTickedExcludesNothing) {
 }
 
 TEST(Compare, FoldersOfAMachineThatBecameSlowerExcludeNothing) {
-  SyntheticStudy study = small_night();
+  SyntheticStudy study = small_nightly_run();
   study.noise = 0.002;
-  const auto slower = [](int night, RunRecord& run, RandomEngine&) {
-    if (night == 1) *run.wall_time_s *= 1.3, *run.yardstick_time_s *= 1.3;
+  const auto slower = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run == 1) *run.wall_time_s *= 1.3, *run.delaunay_time_s *= 1.3;
   };
   const Comparison comparison = compare(results_of(study, 0, slower), results_of(study, 1, slower), {});
   EXPECT_EQ(comparison.outcome(), Outcome::unclear);
-  EXPECT_NE(comparison_text(comparison, false).find("the yardstick itself took x1.300 as long"), std::string::npos);
+  EXPECT_NE(comparison_text(comparison, false).find("the Delaunay time itself took x1.300 as long"), std::string::npos);
 }
 
 TEST(Compare, FasterButNotSurelySoIsNotTheSame) {
-  const auto faster = [](int night, RunRecord& run, RandomEngine& engine) {
+  const auto faster = [](int nightly_run, RunRecord& run, RandomEngine& engine) {
     const double ratio = run.repetition % 2 == 0 ? 0.93 : 0.99;
-    run.wall_time_s = 0.001 * (night == 1 ? ratio : 1) * std::exp(0.001 * standard_normal(engine));
+    run.wall_time_s = 0.001 * (nightly_run == 1 ? ratio : 1) * std::exp(0.001 * standard_normal(engine));
   };
   const SyntheticStudy study = twenty_pairs(0);
   const Comparison comparison = compare(results_of(study, 0, faster), results_of(study, 1, faster), paired());
@@ -380,10 +380,10 @@ TEST(Compare, TooFewPairsAreUnclear) {
 }
 
 TEST(Compare, MissingTimesAreNotSilent) {
-  const auto timeless = [](int night, RunRecord& run, RandomEngine&) {
-    if (night == 1 && run.algorithm == "flip") run.wall_time_s = std::nullopt;
+  const auto timeless = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run == 1 && run.algorithm == "flip") run.wall_time_s = std::nullopt;
   };
-  SyntheticStudy study = small_night();
+  SyntheticStudy study = small_nightly_run();
   study.noise = 0.002;
   const Comparison comparison = compare(results_of(study, 0, timeless), results_of(study, 1, timeless), {});
   EXPECT_EQ(comparison.untimed.size(), 8u);
@@ -409,8 +409,8 @@ TEST(Compare, OtherSchemaVersionsAreRefused) {
 }
 
 TEST(Compare, AnInstanceThatCannotBeMadeAnyMoreIsAFailure) {
-  const auto fail = [](int night, RunRecord& run, RandomEngine&) {
-    if (night == 0 || run.generator != "uniform") return;
+  const auto fail = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run == 0 || run.generator != "uniform") return;
     run.instance_id = "";
     run.status = RunStatus::error;
     run.wall_time_s = run.cpu_time_s = std::nullopt;

@@ -125,10 +125,10 @@ void compare_memory(const TrackedCell& cell, const Runs& base, const Runs& now, 
   const std::vector<double> before = values_of(memory, base);
   const std::vector<double> after = values_of(memory, now);
   if (before.empty() || after.empty()) return;
-  const auto [least_before, most_before] = std::minmax_element(before.begin(), before.end());
-  const auto [least_after, most_after] = std::minmax_element(after.begin(), after.end());
-  const bool more = is_clearly_larger(*least_after, *most_before, threshold);
-  const bool less = is_clearly_larger(*least_before, *most_after, threshold);
+  const auto [min_before, max_before] = std::minmax_element(before.begin(), before.end());
+  const auto [min_after, max_after] = std::minmax_element(after.begin(), after.end());
+  const bool more = is_clearly_larger(*min_after, *max_before, threshold);
+  const bool less = is_clearly_larger(*min_before, *max_after, threshold);
   if (!more && !less) return;
   findings.push_back({cell, Aspect::memory, more,
                       change_text("peak_rss_bytes", typical(memory, base)->value, typical(memory, now)->value)});

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/tracking/testing/synthetic_nights_testing.h"
+#include "harness/tracking/testing/synthetic_nightly_runs.h"
 
 namespace mwt {
 namespace {

@@ -105,7 +105,7 @@ std::map<TrackedCell, std::string> studies_of_cells(const Study& study, const Ca
   std::map<TrackedCell, std::string> cells;
   for (const PlannedRun& run : plan.runs) {
     const PlannedInstance& instance = plan.instances[run.instance];
-    if (instance.n > run.largest_n || !is_wanted(run.algorithm->name)) continue;
+    if (instance.n > run.max_n || !is_wanted(run.algorithm->name)) continue;
     cells.try_emplace(cell_of(study, instance, run), study_of(study, instance, run));
   }
   if (cells.empty()) throw InputError("study '" + study.name + "' has nothing to run");

@@ -59,9 +59,9 @@ void take_over(Comparison& all, Comparison latest, const std::set<TrackedCell>& 
 std::optional<Comparison> settle(std::set<TrackedCell> cells, InterleavedBuilds& builds, int repetitions,
                                  CompareOptions options) {
   options.paired = true;
-  options.error_rate /= kMostLooks;
+  options.error_rate /= kMaxLooks;
   Comparison all;
-  for (int look = 1; look <= kMostLooks && !cells.empty(); ++look) {
+  for (int look = 1; look <= kMaxLooks && !cells.empty(); ++look) {
     if (!builds.run(cells, repetitions)) return std::nullopt;
     Comparison latest = compare(of_cells(read_results(builds.base_folder()), cells),
                                 of_cells(read_results(builds.new_folder()), cells), options);

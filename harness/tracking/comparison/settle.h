@@ -10,7 +10,7 @@
 namespace mwt {
 
 /// So often the two builds are run and looked at, at most.
-inline constexpr int kMostLooks = 3;
+inline constexpr int kMaxLooks = 3;
 
 /// Runs the cells `repetitions` times in turn and compares; cells that are unclear then, and those of algorithms that
 /// are, so many times more, and once again: a noisy cell needs more repetitions. A row keeps the first verdict that is

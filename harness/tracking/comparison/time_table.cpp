@@ -98,8 +98,8 @@ class TableMaker {
       if (std::find(members.begin(), members.end(), i) == members.end()) others.push_back(log_ratios_[i]);
     }
     require_difference_from_others(judged.judgement, observations, others, options_.threshold);
-    // Without the yardstick, slower algorithms cannot be told from a slower machine.
-    if (others.empty() && !measuring_.has_yardstick) judged.judgement.p_slower = judged.judgement.p_faster = 1;
+    // Without the Delaunay time, slower algorithms cannot be told from a slower machine.
+    if (others.empty() && !measuring_.has_delaunay_time) judged.judgement.p_slower = judged.judgement.p_faster = 1;
     return judged;
   }
 

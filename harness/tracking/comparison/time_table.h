@@ -71,7 +71,7 @@ struct TimeTable {
 
 /// What is known of how two sides were measured.
 struct Measuring {
-  bool has_yardstick = false;
+  bool has_delaunay_time = false;
   bool can_exclude = false;  ///< whether a slowdown that does not show is none: the machine was in the same state
 };
 

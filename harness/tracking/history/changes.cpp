@@ -35,8 +35,8 @@ std::vector<double> rounded_logarithms(const std::vector<double>& values) {
 
 std::vector<Step> steps_of(const Series& series, Aspect aspect) {
   switch (aspect) {
-    case Aspect::time: return find_steps(logarithms(series.values), {.least_noise = kNoiseOfTime});
-    case Aspect::memory: return find_steps(logarithms(series.values), {.least_noise = kNoiseOfMemory});
+    case Aspect::time: return find_steps(logarithms(series.values), {.min_noise = kNoiseOfTime});
+    case Aspect::memory: return find_steps(logarithms(series.values), {.min_noise = kNoiseOfMemory});
     case Aspect::quality: return find_exact_steps(rounded_logarithms(series.values));
     case Aspect::failures: return find_exact_steps(series.values);
   }
@@ -49,7 +49,7 @@ double level(const Series& series, std::size_t begin, std::size_t end) {
 
 bool is_worth_telling(const SeriesStep& step, Aspect aspect, const ChangeOptions& options) {
   if (aspect == Aspect::quality || aspect == Aspect::failures) return true;
-  return std::fabs(std::log(step.after / step.before)) >= std::log1p(options.least_change);
+  return std::fabs(std::log(step.after / step.before)) >= std::log1p(options.min_change);
 }
 
 std::vector<SeriesStep> series_steps(const Series& series, Aspect aspect, const ChangeOptions& options) {
@@ -59,7 +59,7 @@ std::vector<SeriesStep> series_steps(const Series& series, Aspect aspect, const 
     const std::size_t begin = i == 0 ? 0 : found[i - 1].first;
     const std::size_t end = i + 1 < found.size() ? found[i + 1].first : series.values.size();
     const std::size_t first = found[i].first;
-    const SeriesStep step{series.key, series.nights[first], series.nights[first - 1], level(series, begin, first),
+    const SeriesStep step{series.key, series.nightly_runs[first], series.nightly_runs[first - 1], level(series, begin, first),
                           level(series, first, end)};
     if (is_worth_telling(step, aspect, options)) steps.push_back(step);
   }
@@ -71,41 +71,41 @@ class SeriesChoice {
  public:
   explicit SeriesChoice(const std::vector<Series>& all) {
     for (const Series& series : all) {
-      if (series.key.measure == "relative_time") with_yardstick_.insert({series.key.study, series.key.environment});
+      if (series.key.measure == "relative_time") with_delaunay_time_.insert({series.key.study, series.key.environment});
     }
   }
 
   [[nodiscard]] bool has(const SeriesKey& key) const {
     if (measure_named(key.measure).aspect != Aspect::time) return true;
-    const bool with_yardstick = with_yardstick_.contains({key.study, key.environment});
-    return key.measure == (with_yardstick ? "relative_time" : "wall_time_s");
+    const bool with_delaunay_time = with_delaunay_time_.contains({key.study, key.environment});
+    return key.measure == (with_delaunay_time ? "relative_time" : "wall_time_s");
   }
 
  private:
-  std::set<std::pair<std::string, std::string>> with_yardstick_;
+  std::set<std::pair<std::string, std::string>> with_delaunay_time_;
 };
 
 /// What steps have in common that may make one change.
 using ChangeKey = std::tuple<std::string, std::string, std::string, Aspect, bool>;
 
-/// Consecutive steps that are at most kNightsApart apart. Precondition: ordered by night.
+/// Consecutive steps that are at most kNightsApart apart. Precondition: ordered by nightly run.
 std::vector<std::vector<SeriesStep>> groups_in_time(const std::vector<SeriesStep>& steps) {
   std::vector<std::vector<SeriesStep>> groups;
   for (const SeriesStep& step : steps) {
-    if (groups.empty() || step.night > groups.back().back().night + kNightsApart) groups.emplace_back();
+    if (groups.empty() || step.nightly_run > groups.back().back().nightly_run + kNightsApart) groups.emplace_back();
     groups.back().push_back(step);
   }
   return groups;
 }
 
-void choose_night(Change& change) {
+void choose_nightly_run(Change& change) {
   std::map<std::size_t, std::size_t> votes;
-  for (const SeriesStep& step : change.steps) ++votes[step.night];
+  for (const SeriesStep& step : change.steps) ++votes[step.nightly_run];
   const auto chosen =
       std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  change.night = chosen->first;
+  change.nightly_run = chosen->first;
   for (const SeriesStep& step : change.steps) {
-    if (step.night == change.night) change.previous_night = std::max(change.previous_night, step.previous_night);
+    if (step.nightly_run == change.nightly_run) change.previous_nightly_run = std::max(change.previous_nightly_run, step.previous_nightly_run);
   }
 }
 
@@ -113,7 +113,7 @@ Change change_of(const ChangeKey& key, std::vector<SeriesStep> steps) {
   Change change;
   std::tie(change.study, change.environment, change.algorithm, change.aspect, change.is_regression) = key;
   change.steps = std::move(steps);
-  choose_night(change);
+  choose_nightly_run(change);
   double sum = 0;
   for (const SeriesStep& step : change.steps)
     sum += change.aspect == Aspect::failures ? step.after - step.before : std::log(step.after / step.before);
@@ -146,8 +146,8 @@ std::string short_commit(const std::string& commit) { return commit.substr(0, 10
 
 }  // namespace
 
-std::vector<Change> find_changes(const std::vector<Night>& nights, const ChangeOptions& options) {
-  const std::vector<Series> all = series_of(nights);
+std::vector<Change> find_changes(const std::vector<NightlyRun>& nightly_runs, const ChangeOptions& options) {
+  const std::vector<Series> all = series_of(nightly_runs);
   const SeriesChoice choice(all);
   std::map<ChangeKey, std::vector<SeriesStep>> steps_by_key;
   for (const Series& series : all) {
@@ -162,20 +162,20 @@ std::vector<Change> find_changes(const std::vector<Night>& nights, const ChangeO
   std::vector<Change> changes;
   for (auto& [key, steps] : steps_by_key) {
     std::stable_sort(steps.begin(), steps.end(),
-                     [](const SeriesStep& a, const SeriesStep& b) { return a.night < b.night; });
+                     [](const SeriesStep& a, const SeriesStep& b) { return a.nightly_run < b.nightly_run; });
     for (auto& group : groups_in_time(steps)) changes.push_back(change_of(key, std::move(group)));
   }
   std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
-    return std::tuple(a.night, !a.is_regression, a.algorithm) < std::tuple(b.night, !b.is_regression, b.algorithm);
+    return std::tuple(a.nightly_run, !a.is_regression, a.algorithm) < std::tuple(b.nightly_run, !b.is_regression, b.algorithm);
   });
   return changes;
 }
 
-std::string describe(const Change& change, const std::vector<Night>& nights) {
-  const Night& night = nights[change.night];
-  return night.recorded_at.substr(0, 10) + ' ' + (change.is_regression ? "regression " : "improvement ") +
+std::string describe(const Change& change, const std::vector<NightlyRun>& nightly_runs) {
+  const NightlyRun& nightly_run = nightly_runs[change.nightly_run];
+  return nightly_run.recorded_at.substr(0, 10) + ' ' + (change.is_regression ? "regression " : "improvement ") +
          change.algorithm + ": " + name_of(change.aspect) + ' ' + amount(change) + " on " + where(change) + " (" +
-         short_commit(nights[change.previous_night].git_commit) + ".." + short_commit(night.git_commit) + ")";
+         short_commit(nightly_runs[change.previous_nightly_run].git_commit) + ".." + short_commit(nightly_run.git_commit) + ")";
 }
 
 }  // namespace mwt

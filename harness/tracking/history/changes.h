@@ -13,36 +13,36 @@ namespace mwt {
 /// The step of one series.
 struct SeriesStep {
   SeriesKey key;
-  std::size_t night = 0;           ///< the first one at the new level
-  std::size_t previous_night = 0;  ///< the last one at the old level
+  std::size_t nightly_run = 0;           ///< the first one at the new level
+  std::size_t previous_nightly_run = 0;  ///< the last one at the old level
   double before = 0;
   double after = 0;
 };
 
 /// Steps of one algorithm that are alike: same study and environment, same aspect, same direction, about the same
-/// night.
+/// nightly run.
 struct Change {
   std::string study;
   std::string environment;
   std::string algorithm;  ///< with its parameters
   Aspect aspect = Aspect::time;
   bool is_regression = false;
-  std::size_t night = 0;           ///< that of most of the steps, the earlier one of two
-  std::size_t previous_night = 0;  ///< the last one before
+  std::size_t nightly_run = 0;           ///< that of most of the steps, the earlier one of two
+  std::size_t previous_nightly_run = 0;  ///< the last one before
   double factor = 1;               ///< geometric mean of after / before; for failures the mean of after - before
   std::vector<SeriesStep> steps;
 };
 
 struct ChangeOptions {
-  double least_change = 0.03;  ///< of times and memory, relatively: smaller steps are not reported
+  double min_change = 0.03;  ///< of times and memory, relatively: smaller steps are not reported
 };
 
 /// Times and memory step as in find_steps() (on logarithms), quality and failures as in find_exact_steps(), where
 /// relative differences of quality below 1e-9 are none. Times are relative_time where a study has it, else wall_time_s.
-/// Steps that are at most two nights apart make one change. Ordered by night, then regressions first, then by name.
-[[nodiscard]] std::vector<Change> find_changes(const std::vector<Night>& nights, const ChangeOptions& options = {});
+/// Steps that are at most two nightly runs apart make one change. Ordered by nightly run, then regressions first, then by name.
+[[nodiscard]] std::vector<Change> find_changes(const std::vector<NightlyRun>& nightly_runs, const ChangeOptions& options = {});
 
 /// "2026-01-31 greedy: time x1.10 on uniform n=100, ... (abc1234..def5678)", one line each.
-[[nodiscard]] std::string describe(const Change& change, const std::vector<Night>& nights);
+[[nodiscard]] std::string describe(const Change& change, const std::vector<NightlyRun>& nightly_runs);
 
 }  // namespace mwt

@@ -5,7 +5,7 @@
 #include "harness/io/testing/folder_testing.h"
 #include "harness/tracking/history/history.h"
 #include "harness/tracking/result_set.h"
-#include "harness/tracking/testing/synthetic_nights_testing.h"
+#include "harness/tracking/testing/synthetic_nightly_runs.h"
 
 namespace mwt {
 namespace {
@@ -13,23 +13,23 @@ namespace {
 using testing::SyntheticStudy;
 using testing::TestFolder;
 
-std::vector<Night> synthetic_nights(int count, std::uint64_t seed, const testing::Tamper& tamper = {},
+std::vector<NightlyRun> synthetic_nightly_runs(int count, std::uint64_t seed, const testing::Tamper& tamper = {},
                                     const SyntheticStudy& study = {}) {
-  std::vector<Night> nights;
-  for (int night = 0; night < count; ++night) {
+  std::vector<NightlyRun> nightly_runs;
+  for (int nightly_run = 0; nightly_run < count; ++nightly_run) {
     const ResultSet results{
-        "", testing::synthetic_runs(study, night, seed, tamper), {testing::synthetic_environment()}};
-    for (Night& one : nights_of(results)) nights.push_back(std::move(one));
+        "", testing::synthetic_runs(study, nightly_run, seed, tamper), {testing::synthetic_environment()}};
+    for (NightlyRun& one : nightly_runs_of(results)) nightly_runs.push_back(std::move(one));
   }
-  return nights;
+  return nightly_runs;
 }
 
-// 40 nights, in times noise of 3%; from night 25 on (counted from 0) one algorithm takes 10% longer, another a fifth
-// more memory, a third is a tenth of a percent heavier on one family; and one night everything takes half as long
+// 40 nightly runs, in times noise of 3%; from nightly run 25 on (counted from 0) one algorithm takes 10% longer, another a fifth
+// more memory, a third is a tenth of a percent heavier on one family; and one nightly run everything takes half as long
 // again.
-void make_worse(int night, RunRecord& run, RandomEngine&) {
-  if (night == 13) *run.wall_time_s *= 1.5;
-  if (night < 25) return;
+void make_worse(int nightly_run, RunRecord& run, RandomEngine&) {
+  if (nightly_run == 13) *run.wall_time_s *= 1.5;
+  if (nightly_run < 25) return;
   if (run.algorithm == "greedy") *run.wall_time_s *= 1.10;
   if (run.algorithm == "patch") *run.peak_rss_bytes += 2'000'000;
   if (run.algorithm == "flip" && run.generator == "uniform") {
@@ -37,7 +37,7 @@ void make_worse(int night, RunRecord& run, RandomEngine&) {
   }
 }
 
-void expect_exactly_the_three(const std::vector<Change>& changes, const std::vector<Night>& nights) {
+void expect_exactly_the_three(const std::vector<Change>& changes, const std::vector<NightlyRun>& nightly_runs) {
   ASSERT_EQ(changes.size(), 3u);
   const std::vector<std::string> algorithms = {"flip", "greedy", "patch"};
   const std::vector<Aspect> aspects = {Aspect::quality, Aspect::time, Aspect::memory};
@@ -45,98 +45,98 @@ void expect_exactly_the_three(const std::vector<Change>& changes, const std::vec
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(changes[i].algorithm, algorithms[i]);
     EXPECT_EQ(changes[i].aspect, aspects[i]);
-    EXPECT_EQ(changes[i].night, 25u);
+    EXPECT_EQ(changes[i].nightly_run, 25u);
     EXPECT_TRUE(changes[i].is_regression);
     EXPECT_NEAR(changes[i].factor, factors[i], 0.025);
-    EXPECT_EQ(nights[changes[i].night].git_commit, testing::synthetic_commit(25));
-    EXPECT_EQ(nights[changes[i].previous_night].git_commit, testing::synthetic_commit(24));
+    EXPECT_EQ(nightly_runs[changes[i].nightly_run].git_commit, testing::synthetic_commit(25));
+    EXPECT_EQ(nightly_runs[changes[i].previous_nightly_run].git_commit, testing::synthetic_commit(24));
   }
 }
 
 TEST(Changes, FortyNightsWithThreeRegressionsASpikeAndNoise) {
   const TestFolder folder;
-  for (int night = 0; night < 40; ++night) {
-    const std::string results = folder.path(std::to_string(night));
-    testing::write_synthetic_night(results, testing::synthetic_runs({}, night, 1, make_worse));
+  for (int nightly_run = 0; nightly_run < 40; ++nightly_run) {
+    const std::string results = folder.path(std::to_string(nightly_run));
+    testing::write_synthetic_nightly_run(results, testing::synthetic_runs({}, nightly_run, 1, make_worse));
     History history(folder.path("history.sqlite"), History::Mode::write);
-    for (const Night& one : nights_of(read_results(results))) EXPECT_EQ(history.add(one), History::Added::as_new);
+    for (const NightlyRun& one : nightly_runs_of(read_results(results))) EXPECT_EQ(history.add(one), History::Added::as_new);
   }
-  const std::vector<Night> nights = History(folder.path("history.sqlite"), History::Mode::read).nights();
-  ASSERT_EQ(nights.size(), 40u);
-  const std::vector<Change> changes = find_changes(nights);
-  expect_exactly_the_three(changes, nights);
-  EXPECT_EQ(describe(changes[0], nights),
+  const std::vector<NightlyRun> nightly_runs = History(folder.path("history.sqlite"), History::Mode::read).nightly_runs();
+  ASSERT_EQ(nightly_runs.size(), 40u);
+  const std::vector<Change> changes = find_changes(nightly_runs);
+  expect_exactly_the_three(changes, nightly_runs);
+  EXPECT_EQ(describe(changes[0], nightly_runs),
             "2026-01-26 regression flip: quality +0.100000% on uniform n=100, uniform n=1000 (cccccccccc..cccccccccc)");
 }
 
 TEST(Changes, ExactlyTheThreeWhateverTheNoise) {
   for (std::uint64_t seed = 2; seed < 12; ++seed) {
-    const std::vector<Night> nights = synthetic_nights(40, seed, make_worse);
-    expect_exactly_the_three(find_changes(nights), nights);
+    const std::vector<NightlyRun> nightly_runs = synthetic_nightly_runs(40, seed, make_worse);
+    expect_exactly_the_three(find_changes(nightly_runs), nightly_runs);
   }
 }
 
 TEST(Changes, NothingInStableNights) {
   for (std::uint64_t seed = 100; seed < 110; ++seed)
-    EXPECT_TRUE(find_changes(synthetic_nights(40, seed)).empty()) << seed;
+    EXPECT_TRUE(find_changes(synthetic_nightly_runs(40, seed)).empty()) << seed;
 }
 
 TEST(Changes, ABusyMachineDoesNotFakeAChange) {
-  const auto busy = [](int night, RunRecord& run, RandomEngine&) {
-    if (night < 15) return;
+  const auto busy = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run < 15) return;
     *run.wall_time_s *= 1.8;
-    *run.yardstick_time_s *= 1.8;
+    *run.delaunay_time_s *= 1.8;
   };
-  EXPECT_TRUE(find_changes(synthetic_nights(40, 1, busy)).empty());
+  EXPECT_TRUE(find_changes(synthetic_nightly_runs(40, 1, busy)).empty());
 }
 
-TEST(Changes, WithoutYardstickTimesAreTakenAsTheyAre) {
+TEST(Changes, WithoutDelaunayTimesTimesAreTakenAsTheyAre) {
   SyntheticStudy study;
-  study.has_yardstick = false;
-  const std::vector<Night> nights = synthetic_nights(40, 1, make_worse, study);
-  expect_exactly_the_three(find_changes(nights), nights);
+  study.has_delaunay_time = false;
+  const std::vector<NightlyRun> nightly_runs = synthetic_nightly_runs(40, 1, make_worse, study);
+  expect_exactly_the_three(find_changes(nightly_runs), nightly_runs);
 }
 
 TEST(Changes, ImprovementsAndFailures) {
-  const auto change = [](int night, RunRecord& run, RandomEngine&) {
-    if (night >= 20 && run.algorithm == "sweep") *run.wall_time_s *= 0.7;
-    if (night >= 30 && run.algorithm == "exact" && run.n == 1000) {
+  const auto change = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run >= 20 && run.algorithm == "sweep") *run.wall_time_s *= 0.7;
+    if (nightly_run >= 30 && run.algorithm == "exact" && run.n == 1000) {
       run.status = RunStatus::timeout;
       run.wall_time_s.reset();
     }
   };
-  const std::vector<Night> nights = synthetic_nights(40, 1, change);
-  const std::vector<Change> changes = find_changes(nights);
+  const std::vector<NightlyRun> nightly_runs = synthetic_nightly_runs(40, 1, change);
+  const std::vector<Change> changes = find_changes(nightly_runs);
   ASSERT_EQ(changes.size(), 2u);
   EXPECT_EQ(changes[0].algorithm, "sweep");
   EXPECT_FALSE(changes[0].is_regression);
-  EXPECT_EQ(changes[0].night, 20u);
+  EXPECT_EQ(changes[0].nightly_run, 20u);
   EXPECT_EQ(changes[1].algorithm, "exact");
   EXPECT_EQ(changes[1].aspect, Aspect::failures);
   EXPECT_TRUE(changes[1].is_regression);
-  EXPECT_EQ(changes[1].night, 30u);
+  EXPECT_EQ(changes[1].nightly_run, 30u);
   EXPECT_EQ(changes[1].factor, 1);
 }
 
 TEST(Changes, MachinesAreFollowedApart) {
-  std::vector<Night> nights = synthetic_nights(30, 1);
-  std::vector<Night> elsewhere =
-      synthetic_nights(30, 2, [](int, RunRecord& run, RandomEngine&) { *run.wall_time_s *= 3; });
-  for (Night& night : elsewhere) {
-    night.environment = "other";
-    nights.push_back(night);
+  std::vector<NightlyRun> nightly_runs = synthetic_nightly_runs(30, 1);
+  std::vector<NightlyRun> elsewhere =
+      synthetic_nightly_runs(30, 2, [](int, RunRecord& run, RandomEngine&) { *run.wall_time_s *= 3; });
+  for (NightlyRun& nightly_run : elsewhere) {
+    nightly_run.environment = "other";
+    nightly_runs.push_back(nightly_run);
   }
-  EXPECT_TRUE(find_changes(nights).empty());
+  EXPECT_TRUE(find_changes(nightly_runs).empty());
 }
 
 TEST(Changes, AMissingSeedMovesNothing) {
-  std::vector<Night> nights = synthetic_nights(30, 1, [](int, RunRecord& run, RandomEngine&) {
+  std::vector<NightlyRun> nightly_runs = synthetic_nightly_runs(30, 1, [](int, RunRecord& run, RandomEngine&) {
     if (run.seed == 2) *run.wall_time_s *= 5;
   });
-  for (std::size_t i = 10; i < nights.size(); ++i) {
-    std::erase_if(nights[i].values, [](const NightValue& value) { return value.cell.seed == 2; });
+  for (std::size_t i = 10; i < nightly_runs.size(); ++i) {
+    std::erase_if(nightly_runs[i].values, [](const NightlyValue& value) { return value.cell.seed == 2; });
   }
-  EXPECT_TRUE(find_changes(nights).empty());
+  EXPECT_TRUE(find_changes(nightly_runs).empty());
 }
 
 }  // namespace

@@ -136,10 +136,10 @@ constexpr const char* kValuesOfNight =
     "FROM value JOIN cell ON cell.id = value.cell WHERE night = ? "
     "ORDER BY algorithm, params, generator, generator_params, n, seed, threads, measure";
 
-std::vector<NightValue> values_of_night(const std::string& path, sqlite3* database, std::int64_t night) {
+std::vector<NightlyValue> values_of_nightly_run(const std::string& path, sqlite3* database, std::int64_t nightly_run) {
   Statement rows(path, database, kValuesOfNight);
-  rows.bind(night);
-  std::vector<NightValue> values;
+  rows.bind(nightly_run);
+  std::vector<NightlyValue> values;
   while (rows.step()) {
     const TrackedCell cell{rows.text(0),
                            rows.text(1),
@@ -153,32 +153,32 @@ std::vector<NightValue> values_of_night(const std::string& path, sqlite3* databa
   return values;
 }
 
-std::vector<NightValue> sorted(std::vector<NightValue> values) {
-  const auto key = [](const NightValue& v) {
+std::vector<NightlyValue> sorted(std::vector<NightlyValue> values) {
+  const auto key = [](const NightlyValue& v) {
     return std::tie(v.cell.algorithm, v.cell.params, v.cell.generator, v.cell.generator_params, v.cell.n, v.cell.seed,
                     v.cell.threads, v.measure);
   };
-  std::sort(values.begin(), values.end(), [&](const NightValue& a, const NightValue& b) { return key(a) < key(b); });
+  std::sort(values.begin(), values.end(), [&](const NightlyValue& a, const NightlyValue& b) { return key(a) < key(b); });
   return values;
 }
 
-bool same_values(const std::vector<NightValue>& a, const std::vector<NightValue>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const NightValue& x, const NightValue& y) {
+bool same_values(const std::vector<NightlyValue>& a, const std::vector<NightlyValue>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const NightlyValue& x, const NightlyValue& y) {
     return x.cell == y.cell && x.measure == y.measure && x.value == y.value && x.runs == y.runs;
   });
 }
 
-class NightWriter {
+class NightlyRunWriter {
  public:
-  NightWriter(const std::string& path, sqlite3* database)
+  NightlyRunWriter(const std::string& path, sqlite3* database)
       : add_cell_(path, database, "INSERT OR IGNORE INTO cell VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)"),
         find_cell_(path, database,
                    "SELECT id FROM cell WHERE algorithm = ? AND params = ? AND generator = ? AND generator_params = ? "
                    "AND n = ? AND seed = ? AND threads = ?"),
         add_value_(path, database, "INSERT INTO value VALUES (?, ?, ?, ?, ?)") {}
 
-  void write(std::int64_t night, const NightValue& value) {
-    add_value_.bind(night, id_of(value.cell), value.measure, value.value, static_cast<std::int64_t>(value.runs)).step();
+  void write(std::int64_t nightly_run, const NightlyValue& value) {
+    add_value_.bind(nightly_run, id_of(value.cell), value.measure, value.value, static_cast<std::int64_t>(value.runs)).step();
   }
 
  private:
@@ -246,51 +246,51 @@ void History::renew() {
   transaction.commit();
 }
 
-// With its values a night that was tracked before there were configurations gets its own.
-bool History::adopt_old_night(const Night& night, const std::vector<NightValue>& values) {
+// With its values a nightly run that was tracked before there were configurations gets its own.
+bool History::adopt_old_nightly_run(const NightlyRun& nightly_run, const std::vector<NightlyValue>& values) {
   Statement find(path_, database_,
                  "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ''");
-  if (night.configuration.empty() || !find.bind(night.git_commit, night.environment, night.study).step()) return false;
-  if (!same_values(values_of_night(path_, database_, find.integer(0)), values)) return false;
+  if (nightly_run.configuration.empty() || !find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study).step()) return false;
+  if (!same_values(values_of_nightly_run(path_, database_, find.integer(0)), values)) return false;
   Statement(path_, database_, "UPDATE night SET configuration = ? WHERE id = ?")
-      .bind(night.configuration, find.integer(0))
+      .bind(nightly_run.configuration, find.integer(0))
       .step();
   return true;
 }
 
-bool History::has_other_configuration(const Night& night) const {
+bool History::has_other_configuration(const NightlyRun& nightly_run) const {
   Statement find(path_, database_,
                  "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration <> ?");
-  return find.bind(night.git_commit, night.environment, night.study, night.configuration).step();
+  return find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration).step();
 }
 
-void History::write_values(std::int64_t id, const std::vector<NightValue>& values) {
+void History::write_values(std::int64_t id, const std::vector<NightlyValue>& values) {
   Statement(path_, database_, "DELETE FROM value WHERE night = ?").bind(id).step();
-  NightWriter writer(path_, database_);
-  for (const NightValue& value : values) writer.write(id, value);
+  NightlyRunWriter writer(path_, database_);
+  for (const NightlyValue& value : values) writer.write(id, value);
 }
 
-History::Added History::add(const Night& night) {
+History::Added History::add(const NightlyRun& nightly_run) {
   Transaction transaction(path_, database_, "BEGIN IMMEDIATE");
-  const std::vector<NightValue> values = sorted(night.values);
+  const std::vector<NightlyValue> values = sorted(nightly_run.values);
   Statement find(path_, database_,
                  "SELECT id, recorded_at FROM night "
                  "WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ?");
   Added added = Added::replaced;
-  if (find.bind(night.git_commit, night.environment, night.study, night.configuration).step()) {
+  if (find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration).step()) {
     const std::int64_t earlier = find.integer(0);
-    if (same_values(values_of_night(path_, database_, earlier), values)) return Added::unchanged;
-    if (night.recorded_at < find.text(1)) return Added::outdated;
+    if (same_values(values_of_nightly_run(path_, database_, earlier), values)) return Added::unchanged;
+    if (nightly_run.recorded_at < find.text(1)) return Added::outdated;
     Statement(path_, database_, "UPDATE night SET recorded_at = ? WHERE id = ?")
-        .bind(night.recorded_at, earlier)
+        .bind(nightly_run.recorded_at, earlier)
         .step();
     write_values(earlier, values);
-  } else if (adopt_old_night(night, values)) {
+  } else if (adopt_old_nightly_run(nightly_run, values)) {
     added = Added::unchanged;
   } else {
-    added = has_other_configuration(night) ? Added::as_another : Added::as_new;
+    added = has_other_configuration(nightly_run) ? Added::as_another : Added::as_new;
     Statement(path_, database_, "INSERT INTO night VALUES (NULL, ?, ?, ?, ?, ?, ?)")
-        .bind(night.git_commit, night.environment, night.study, night.configuration, night.machine, night.recorded_at)
+        .bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration, nightly_run.machine, nightly_run.recorded_at)
         .step();
     write_values(sqlite3_last_insert_rowid(database_), values);
   }
@@ -298,17 +298,17 @@ History::Added History::add(const Night& night) {
   return added;
 }
 
-std::vector<Night> History::nights() const {
+std::vector<NightlyRun> History::nightly_runs() const {
   const Transaction snapshot(path_, database_, "BEGIN");
   Statement rows(path_, database_,
                  "SELECT id, git_commit, environment, machine, study, configuration, recorded_at FROM night "
                  "ORDER BY recorded_at, git_commit, configuration");
-  std::vector<Night> nights;
+  std::vector<NightlyRun> nightly_runs;
   while (rows.step()) {
-    nights.push_back({rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5), rows.text(6),
-                      values_of_night(path_, database_, rows.integer(0))});
+    nightly_runs.push_back({rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5), rows.text(6),
+                      values_of_nightly_run(path_, database_, rows.integer(0))});
   }
-  return nights;
+  return nightly_runs;
 }
 
 }  // namespace mwt

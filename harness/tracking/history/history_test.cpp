@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "harness/io/testing/folder_testing.h"
-#include "harness/tracking/testing/synthetic_nights_testing.h"
+#include "harness/tracking/testing/synthetic_nightly_runs.h"
 
 namespace mwt {
 namespace {
@@ -17,13 +17,13 @@ namespace {
 using testing::TestFolder;
 using testing::write_text;
 
-Night small_night(int number) {
-  Night night{testing::synthetic_commit(number),        "env", "Abacus", "nightly", "c",
+NightlyRun small_nightly_run(int number) {
+  NightlyRun nightly_run{testing::synthetic_commit(number),        "env", "Abacus", "nightly", "c",
               "2026-01-" + std::to_string(10 + number), {}};
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
-    night.values.push_back({{"greedy", "k=1", "uniform", "", 100, seed, 1}, "wall_time_s", 0.1 * number, 3});
-  night.values.push_back({{"flip", "", "uniform", "", 100, ~std::uint64_t{0}, 2}, "failures", 0.5, 2});
-  return night;
+    nightly_run.values.push_back({{"greedy", "k=1", "uniform", "", 100, seed, 1}, "wall_time_s", 0.1 * number, 3});
+  nightly_run.values.push_back({{"flip", "", "uniform", "", 100, ~std::uint64_t{0}, 2}, "failures", 0.5, 2});
+  return nightly_run;
 }
 
 class HistoryFile : public ::testing::Test {
@@ -32,7 +32,7 @@ class HistoryFile : public ::testing::Test {
   TestFolder folder_;
 };
 
-void expect_equal(const Night& a, const Night& b) {
+void expect_equal(const NightlyRun& a, const NightlyRun& b) {
   EXPECT_EQ(a.git_commit, b.git_commit);
   EXPECT_EQ(a.environment, b.environment);
   EXPECT_EQ(a.machine, b.machine);
@@ -42,64 +42,64 @@ void expect_equal(const Night& a, const Night& b) {
 }
 
 TEST_F(HistoryFile, GivesBackWhatItGot) {
-  History(path(), History::Mode::write).add(small_night(1));
-  const std::vector<Night> nights = History(path(), History::Mode::read).nights();
-  ASSERT_EQ(nights.size(), 1u);
-  expect_equal(nights[0], small_night(1));
-  EXPECT_EQ(nights[0].values[0].cell, small_night(1).values.back().cell) << "ordered by algorithm; all seeds come back";
-  EXPECT_EQ(nights[0].values[1].value, 0.1);
-  EXPECT_EQ(nights[0].values[1].runs, 3u);
+  History(path(), History::Mode::write).add(small_nightly_run(1));
+  const std::vector<NightlyRun> nightly_runs = History(path(), History::Mode::read).nightly_runs();
+  ASSERT_EQ(nightly_runs.size(), 1u);
+  expect_equal(nightly_runs[0], small_nightly_run(1));
+  EXPECT_EQ(nightly_runs[0].values[0].cell, small_nightly_run(1).values.back().cell) << "ordered by algorithm; all seeds come back";
+  EXPECT_EQ(nightly_runs[0].values[1].value, 0.1);
+  EXPECT_EQ(nightly_runs[0].values[1].runs, 3u);
 }
 
 TEST_F(HistoryFile, IsIdempotentPerCommitEnvironmentAndStudy) {
   History history(path(), History::Mode::write);
-  EXPECT_EQ(history.add(small_night(1)), History::Added::as_new);
-  EXPECT_EQ(history.add(small_night(1)), History::Added::unchanged);
-  Night other = small_night(1);
+  EXPECT_EQ(history.add(small_nightly_run(1)), History::Added::as_new);
+  EXPECT_EQ(history.add(small_nightly_run(1)), History::Added::unchanged);
+  NightlyRun other = small_nightly_run(1);
   other.values[3].value = 7;
   other.recorded_at = "2026-02-01";
   EXPECT_EQ(history.add(other), History::Added::replaced);
-  EXPECT_EQ(history.add(small_night(1)), History::Added::outdated);
+  EXPECT_EQ(history.add(small_nightly_run(1)), History::Added::outdated);
   other.environment = "elsewhere";
   EXPECT_EQ(history.add(other), History::Added::as_new);
-  const std::vector<Night> nights = history.nights();
-  ASSERT_EQ(nights.size(), 2u);
-  for (const Night& night : nights) {
-    EXPECT_EQ(night.values.size(), small_night(1).values.size());
-    EXPECT_EQ(night.recorded_at, "2026-02-01");
+  const std::vector<NightlyRun> nightly_runs = history.nightly_runs();
+  ASSERT_EQ(nightly_runs.size(), 2u);
+  for (const NightlyRun& nightly_run : nightly_runs) {
+    EXPECT_EQ(nightly_run.values.size(), small_nightly_run(1).values.size());
+    EXPECT_EQ(nightly_run.recorded_at, "2026-02-01");
   }
 }
 
 // A changed study under the same name used to take the place of the old one.
 TEST_F(HistoryFile, AnotherConfigurationIsAnotherNight) {
   History history(path(), History::Mode::write);
-  EXPECT_EQ(history.add(small_night(1)), History::Added::as_new);
-  Night changed = small_night(1);
+  EXPECT_EQ(history.add(small_nightly_run(1)), History::Added::as_new);
+  NightlyRun changed = small_nightly_run(1);
   changed.configuration = "d";
   changed.values.pop_back();
   EXPECT_EQ(history.add(changed), History::Added::as_another);
   EXPECT_EQ(history.add(changed), History::Added::unchanged);
-  const std::vector<Night> nights = history.nights();
-  ASSERT_EQ(nights.size(), 2u);
-  EXPECT_EQ(nights[0].values.size(), small_night(1).values.size());
-  EXPECT_EQ(nights[0].configuration, "c");
-  EXPECT_EQ(nights[1].values.size(), small_night(1).values.size() - 1);
+  const std::vector<NightlyRun> nightly_runs = history.nightly_runs();
+  ASSERT_EQ(nightly_runs.size(), 2u);
+  EXPECT_EQ(nightly_runs[0].values.size(), small_nightly_run(1).values.size());
+  EXPECT_EQ(nightly_runs[0].configuration, "c");
+  EXPECT_EQ(nightly_runs[1].values.size(), small_nightly_run(1).values.size() - 1);
 }
 
-// As version 1 of the program left it: two nights of two commits.
+// As version 1 of the program left it: two nightly runs of two commits.
 constexpr const char* kVersion1 =
-    "CREATE TABLE night (id INTEGER PRIMARY KEY, git_commit TEXT NOT NULL, environment TEXT NOT NULL, "
+    "CREATE TABLE nightly run (id INTEGER PRIMARY KEY, git_commit TEXT NOT NULL, environment TEXT NOT NULL, "
     "study TEXT NOT NULL, machine TEXT NOT NULL, recorded_at TEXT NOT NULL, UNIQUE (git_commit, environment, study));"
     "CREATE TABLE cell (id INTEGER PRIMARY KEY, algorithm TEXT NOT NULL, params TEXT NOT NULL, generator TEXT NOT "
     "NULL, "
     "generator_params TEXT NOT NULL, n INTEGER NOT NULL, seed INTEGER NOT NULL, threads INTEGER NOT NULL, "
     "UNIQUE (algorithm, params, generator, generator_params, n, seed, threads));"
-    "CREATE TABLE value (night INTEGER NOT NULL REFERENCES night (id), cell INTEGER NOT NULL REFERENCES cell (id), "
-    "measure TEXT NOT NULL, value REAL NOT NULL, runs INTEGER NOT NULL, PRIMARY KEY (night, cell, measure)) WITHOUT "
+    "CREATE TABLE value (nightly run INTEGER NOT NULL REFERENCES nightly run (id), cell INTEGER NOT NULL REFERENCES cell (id), "
+    "measure TEXT NOT NULL, value REAL NOT NULL, runs INTEGER NOT NULL, PRIMARY KEY (nightly run, cell, measure)) WITHOUT "
     "ROWID;"
     "INSERT INTO cell VALUES (1, 'greedy', '', 'uniform', '', 100, 1, 1);"
-    "INSERT INTO night VALUES (1, 'a', 'env', 'nightly', 'Abacus', '2026-01-01');"
-    "INSERT INTO night VALUES (2, 'b', 'env', 'nightly', 'Abacus', '2026-01-02');"
+    "INSERT INTO nightly run VALUES (1, 'a', 'env', 'nightly', 'Abacus', '2026-01-01');"
+    "INSERT INTO nightly run VALUES (2, 'b', 'env', 'nightly', 'Abacus', '2026-01-02');"
     "INSERT INTO value VALUES (1, 1, 'wall_time_s', 0.5, 3); INSERT INTO value VALUES (2, 1, 'wall_time_s', 0.25, 3);"
     "PRAGMA user_version = 1;";
 
@@ -108,35 +108,35 @@ TEST_F(HistoryFile, OneOfVersion1IsReadAndGoesOn) {
   ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
   ASSERT_EQ(sqlite3_exec(database, kVersion1, nullptr, nullptr, nullptr), SQLITE_OK);
   sqlite3_close(database);
-  EXPECT_EQ(History(path(), History::Mode::read).nights().size(), 2u);
-  Night same{"a", "env", "Abacus", "nightly", "c", "2026-01-01", {}};
+  EXPECT_EQ(History(path(), History::Mode::read).nightly_runs().size(), 2u);
+  NightlyRun same{"a", "env", "Abacus", "nightly", "c", "2026-01-01", {}};
   same.values.push_back({{"greedy", "", "uniform", "", 100, 1, 1}, "wall_time_s", 0.5, 3});
   History history(path(), History::Mode::write);
   EXPECT_EQ(history.add(same), History::Added::unchanged) << "known, though without a configuration";
   same.values[0].value = 0.75;
   same.configuration = "d";
   EXPECT_EQ(history.add(same), History::Added::as_another);
-  const std::vector<Night> nights = history.nights();
-  ASSERT_EQ(nights.size(), 3u);
-  EXPECT_EQ(nights[0].configuration, "c");
-  EXPECT_EQ(nights[0].values.at(0).value, 0.5);
-  EXPECT_EQ(nights[1].values.at(0).value, 0.75);
-  EXPECT_EQ(nights[2].values.at(0).value, 0.25);
+  const std::vector<NightlyRun> nightly_runs = history.nightly_runs();
+  ASSERT_EQ(nightly_runs.size(), 3u);
+  EXPECT_EQ(nightly_runs[0].configuration, "c");
+  EXPECT_EQ(nightly_runs[0].values.at(0).value, 0.5);
+  EXPECT_EQ(nightly_runs[1].values.at(0).value, 0.75);
+  EXPECT_EQ(nightly_runs[2].values.at(0).value, 0.25);
 }
 
 TEST_F(HistoryFile, NightsComeInTheOrderOfTimeWhateverTheOrderOfTracking) {
   History history(path(), History::Mode::write);
-  for (const int number : {3, 1, 2}) history.add(small_night(number));
-  const std::vector<Night> nights = history.nights();
-  for (int i = 0; i < 3; ++i) expect_equal(nights[static_cast<std::size_t>(i)], small_night(i + 1));
+  for (const int number : {3, 1, 2}) history.add(small_nightly_run(number));
+  const std::vector<NightlyRun> nightly_runs = history.nightly_runs();
+  for (int i = 0; i < 3; ++i) expect_equal(nightly_runs[static_cast<std::size_t>(i)], small_nightly_run(i + 1));
 }
 
-// Forks a process that adds nights, first to last; it exits with 0 if it could.
+// Forks a process that adds nightly runs, first to last; it exits with 0 if it could.
 pid_t writer(const std::string& path, int first, int last) {
   const pid_t child = fork();
   if (child != 0) return child;
   try {
-    for (int number = first; number <= last; ++number) History(path, History::Mode::write).add(small_night(number));
+    for (int number = first; number <= last; ++number) History(path, History::Mode::write).add(small_nightly_run(number));
   } catch (...) {
     _exit(1);
   }
@@ -151,7 +151,7 @@ TEST_F(HistoryFile, ConcurrentWritersLoseNothing) {
     waitpid(child, &status, 0);
     EXPECT_EQ(status, 0);
   }
-  EXPECT_EQ(History(path(), History::Mode::read).nights().size(), 40u);
+  EXPECT_EQ(History(path(), History::Mode::read).nightly_runs().size(), 40u);
 }
 
 TEST_F(HistoryFile, AKilledWriterLeavesWholeNights) {
@@ -160,10 +160,10 @@ TEST_F(HistoryFile, AKilledWriterLeavesWholeNights) {
     usleep(static_cast<useconds_t>(1000 + 1700 * round));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
-    for (const Night& night : History(path(), History::Mode::write).nights())
-      ASSERT_EQ(night.values.size(), small_night(0).values.size());
+    for (const NightlyRun& nightly_run : History(path(), History::Mode::write).nightly_runs())
+      ASSERT_EQ(nightly_run.values.size(), small_nightly_run(0).values.size());
   }
-  EXPECT_EQ(History(path(), History::Mode::write).add(small_night(5000)), History::Added::as_new);
+  EXPECT_EQ(History(path(), History::Mode::write).add(small_nightly_run(5000)), History::Added::as_new);
 }
 
 TEST_F(HistoryFile, RefusesWhatIsNoHistory) {

@@ -11,14 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-CsvRow row_of(std::size_t position, const Night& night, const NightValue& value) {
+CsvRow row_of(std::size_t position, const NightlyRun& nightly_run, const NightlyValue& value) {
   const TrackedCell& cell = value.cell;
   return {std::to_string(position),
-          night.recorded_at,
-          night.git_commit,
-          night.environment,
-          night.machine,
-          night.study,
+          nightly_run.recorded_at,
+          nightly_run.git_commit,
+          nightly_run.environment,
+          nightly_run.machine,
+          nightly_run.study,
           cell.algorithm,
           cell.params,
           std::to_string(cell.threads),
@@ -29,7 +29,7 @@ CsvRow row_of(std::size_t position, const Night& night, const NightValue& value)
           value.measure,
           number_text(value.value),
           std::to_string(value.runs),
-          night.configuration};
+          nightly_run.configuration};
 }
 
 Json json_of(const SeriesStep& step) {
@@ -41,17 +41,17 @@ Json json_of(const SeriesStep& step) {
           {"generator_params", cell.generator_params},
           {"n", cell.n},
           {"measure", step.key.measure},
-          {"night", step.night},
+          {"nightly_run", step.nightly_run},
           {"before", step.before},
           {"after", step.after}};
 }
 
-Json json_of(const Night& night) {
-  return {{"recorded_at", night.recorded_at},
-          {"commit", night.git_commit},
-          {"environment", night.environment},
-          {"machine", night.machine},
-          {"study", night.study}};
+Json json_of(const NightlyRun& nightly_run) {
+  return {{"recorded_at", nightly_run.recorded_at},
+          {"commit", nightly_run.git_commit},
+          {"environment", nightly_run.environment},
+          {"machine", nightly_run.machine},
+          {"study", nightly_run.study}};
 }
 
 Json json_of(const Series& series) {
@@ -65,25 +65,25 @@ Json json_of(const Series& series) {
           {"measure", measure.name},
           {"aspect", name_of(measure.aspect)},
           {"unit", measure.unit},
-          {"nights", series.nights},
+          {"nightly_runs", series.nightly_runs},
           {"values", series.values}};
 }
 
-Json array_of(const std::vector<Change>& changes, const std::vector<Night>& nights) {
+Json array_of(const std::vector<Change>& changes, const std::vector<NightlyRun>& nightly_runs) {
   Json array = Json::array();
   for (const Change& change : changes) {
-    const Night& night = nights[change.night];
+    const NightlyRun& nightly_run = nightly_runs[change.nightly_run];
     Json object = {{"study", change.study},
                    {"environment", change.environment},
                    {"algorithm", change.algorithm},
                    {"aspect", name_of(change.aspect)},
                    {"regression", change.is_regression},
-                   {"night", change.night},
-                   {"recorded_at", night.recorded_at},
-                   {"commit", night.git_commit},
-                   {"previous_commit", nights[change.previous_night].git_commit},
+                   {"nightly_run", change.nightly_run},
+                   {"recorded_at", nightly_run.recorded_at},
+                   {"commit", nightly_run.git_commit},
+                   {"previous_commit", nightly_runs[change.previous_nightly_run].git_commit},
                    {"factor", change.factor},
-                   {"text", describe(change, nights)},
+                   {"text", describe(change, nightly_runs)},
                    {"steps", Json::array()}};
     for (const SeriesStep& step : change.steps) object["steps"].push_back(json_of(step));
     array.push_back(std::move(object));
@@ -93,26 +93,26 @@ Json array_of(const std::vector<Change>& changes, const std::vector<Night>& nigh
 
 }  // namespace
 
-std::string history_csv(const std::vector<Night>& nights) {
+std::string history_csv(const std::vector<NightlyRun>& nightly_runs) {
   std::string text =
-      csv_line({"night", "recorded_at", "git_commit", "environment", "machine", "study", "algorithm", "params",
+      csv_line({"nightly_run", "recorded_at", "git_commit", "environment", "machine", "study", "algorithm", "params",
                 "threads", "generator", "generator_params", "n", "seed", "measure", "value", "runs", "configuration"});
-  for (std::size_t night = 0; night < nights.size(); ++night) {
-    for (const NightValue& value : nights[night].values) text += csv_line(row_of(night, nights[night], value));
+  for (std::size_t nightly_run = 0; nightly_run < nightly_runs.size(); ++nightly_run) {
+    for (const NightlyValue& value : nightly_runs[nightly_run].values) text += csv_line(row_of(nightly_run, nightly_runs[nightly_run], value));
   }
   return text;
 }
 
-std::string changes_json(const std::vector<Change>& changes, const std::vector<Night>& nights) {
-  return array_of(changes, nights).dump(1) + '\n';
+std::string changes_json(const std::vector<Change>& changes, const std::vector<NightlyRun>& nightly_runs) {
+  return array_of(changes, nightly_runs).dump(1) + '\n';
 }
 
-std::string series_json(const std::vector<Change>& changes, const std::vector<Night>& nights) {
-  Json night_array = Json::array();
-  for (const Night& night : nights) night_array.push_back(json_of(night));
+std::string series_json(const std::vector<Change>& changes, const std::vector<NightlyRun>& nightly_runs) {
+  Json nightly_run_array = Json::array();
+  for (const NightlyRun& nightly_run : nightly_runs) nightly_run_array.push_back(json_of(nightly_run));
   Json series_array = Json::array();
-  for (const Series& series : series_of(nights)) series_array.push_back(json_of(series));
-  const Json object = {{"nights", night_array}, {"series", series_array}, {"changes", array_of(changes, nights)}};
+  for (const Series& series : series_of(nightly_runs)) series_array.push_back(json_of(series));
+  const Json object = {{"nightly_runs", nightly_run_array}, {"series", series_array}, {"changes", array_of(changes, nightly_runs)}};
   return object.dump() + '\n';
 }
 

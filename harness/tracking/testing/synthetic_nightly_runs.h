@@ -1,4 +1,4 @@
-// For tests of tracking: records of nights that never were, with known changes in them.
+// For tests of tracking: records of nightly runs that never were, with known changes in them.
 #pragma once
 
 #include <cmath>
@@ -12,13 +12,13 @@
 
 namespace mwt::testing {
 
-inline std::string synthetic_commit(int night) {
-  std::string digits = std::to_string(night);
+inline std::string synthetic_commit(int nightly_run) {
+  std::string digits = std::to_string(nightly_run);
   return std::string(40 - digits.size(), 'c') + digits;
 }
 
 /// What is made worse in a run: called for every one.
-using Tamper = std::function<void(int night, RunRecord&, RandomEngine&)>;
+using Tamper = std::function<void(int nightly_run, RunRecord&, RandomEngine&)>;
 
 struct SyntheticStudy {
   std::vector<std::string> algorithms = {"delaunay", "exact", "flip", "greedy", "patch", "sweep"};
@@ -27,7 +27,7 @@ struct SyntheticStudy {
   std::vector<std::uint64_t> seeds = {1, 2};
   int repetitions = 3;
   double noise = 0.03;  ///< of times, relatively: of every cell on every night, and as much again of every run
-  bool has_yardstick = true;
+  bool has_delaunay_time = true;
 };
 
 inline RunRecord synthetic_run(const SyntheticStudy& study, const std::string& algorithm, RandomEngine& engine) {
@@ -40,7 +40,7 @@ inline RunRecord synthetic_run(const SyntheticStudy& study, const std::string& a
   run.wall_time_s = 0.001 * static_cast<double>(algorithm.size()) * std::exp(study.noise * standard_normal(engine));
   run.cpu_time_s = run.wall_time_s;
   run.iterations = 50;
-  if (study.has_yardstick) run.yardstick_time_s = 0.002;
+  if (study.has_delaunay_time) run.delaunay_time_s = 0.002;
   run.peak_rss_bytes = 10'000'000 + 4096 * uniform_below(engine, 20);
   const double weight = 100 + static_cast<double>(algorithm.size());
   run.weight_lower = run.weight_upper = weight;
@@ -52,9 +52,9 @@ inline RunRecord synthetic_run(const SyntheticStudy& study, const std::string& a
   return run;
 }
 
-inline std::vector<RunRecord> synthetic_runs(const SyntheticStudy& study, int night, std::uint64_t seed,
+inline std::vector<RunRecord> synthetic_runs(const SyntheticStudy& study, int nightly_run, std::uint64_t seed,
                                              const Tamper& tamper = {}) {
-  RandomEngine engine = make_engine("synthetic", scatter_bits(seed) + static_cast<std::uint64_t>(night));
+  RandomEngine engine = make_engine("synthetic", scatter_bits(seed) + static_cast<std::uint64_t>(nightly_run));
   std::vector<RunRecord> runs;
   for (const std::string& algorithm : study.algorithms) {
     for (const std::string& family : study.families) {
@@ -70,12 +70,12 @@ inline std::vector<RunRecord> synthetic_runs(const SyntheticStudy& study, int ni
             run.seed = instance_seed;
             run.instance_id = family + std::to_string(n) + '-' + std::to_string(instance_seed);
             run.repetition = repetition;
-            run.git_commit = synthetic_commit(night);
-            run.binary_sha256 = "binary" + std::to_string(night);
+            run.git_commit = synthetic_commit(nightly_run);
+            run.binary_sha256 = "binary" + std::to_string(nightly_run);
             char date[32];
-            std::snprintf(date, sizeof date, "2026-%02d-%02dT03:00:00Z", 1 + night / 28, 1 + night % 28);
+            std::snprintf(date, sizeof date, "2026-%02d-%02dT03:00:00Z", 1 + nightly_run / 28, 1 + nightly_run % 28);
             run.recorded_at = date;
-            if (tamper) tamper(night, run, engine);
+            if (tamper) tamper(nightly_run, run, engine);
             run.cpu_time_s = run.wall_time_s;  // nothing else runs on this machine
             runs.push_back(run);
           }
@@ -96,7 +96,7 @@ inline EnvironmentRecord synthetic_environment(const std::string& cpu = "Abacus 
   return environment;
 }
 
-inline void write_synthetic_night(const std::string& folder, const std::vector<RunRecord>& runs,
+inline void write_synthetic_nightly_run(const std::string& folder, const std::vector<RunRecord>& runs,
                                   const EnvironmentRecord& environment = synthetic_environment()) {
   write_records(folder, {"name = \"synthetic\"\n", runs, {}, {environment}});
 }

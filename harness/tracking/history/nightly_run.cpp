@@ -1,4 +1,4 @@
-#include "harness/tracking/history/night.h"
+#include "harness/tracking/history/nightly_run.h"
 
 #include <algorithm>
 #include <map>
@@ -11,15 +11,15 @@ namespace mwt {
 
 namespace {
 
-/// What the runs of a night have in common.
-struct NightKey {
+/// What the runs of a nightly run have in common.
+struct NightlyRunKey {
   std::string git_commit;
   std::string environment;
   std::string machine;
   std::string study;
   std::string configuration;
 
-  friend auto operator<=>(const NightKey&, const NightKey&) = default;
+  friend auto operator<=>(const NightlyRunKey&, const NightlyRunKey&) = default;
 };
 
 std::string configuration_of(const ResultSet& results, const RunRecord& run) {
@@ -29,7 +29,7 @@ std::string configuration_of(const ResultSet& results, const RunRecord& run) {
   return short_hash(results.study_file + '\n' + program);
 }
 
-NightKey key_of(const ResultSet& results, const RunRecord& run) {
+NightlyRunKey key_of(const ResultSet& results, const RunRecord& run) {
   const EnvironmentRecord environment = results.environment_of(run);
   const std::string machine = machine_of(environment);
   const std::string name = machine.empty() ? "unknown" : machine;
@@ -37,35 +37,35 @@ NightKey key_of(const ResultSet& results, const RunRecord& run) {
           configuration_of(results, run)};
 }
 
-void add_values(Night& night, const std::vector<const RunRecord*>& runs) {
+void add_values(NightlyRun& nightly_run, const std::vector<const RunRecord*>& runs) {
   std::map<TrackedCell, std::vector<const RunRecord*>> cells;
   for (const RunRecord* run : runs) {
     cells[cell_of(*run)].push_back(run);
-    night.recorded_at = std::max(night.recorded_at, run->recorded_at);
+    nightly_run.recorded_at = std::max(nightly_run.recorded_at, run->recorded_at);
   }
   for (const auto& [cell, cell_runs] : cells) {
     for (const Measure& measure : measures()) {
       if (const auto value = typical(measure, cell_runs))
-        night.values.push_back({cell, measure.name, value->value, value->runs});
+        nightly_run.values.push_back({cell, measure.name, value->value, value->runs});
     }
   }
 }
 
 }  // namespace
 
-std::vector<Night> nights_of(const ResultSet& results) {
-  std::map<NightKey, std::vector<const RunRecord*>> runs_of;
+std::vector<NightlyRun> nightly_runs_of(const ResultSet& results) {
+  std::map<NightlyRunKey, std::vector<const RunRecord*>> runs_of;
   for (const RunRecord& run : results.runs) runs_of[key_of(results, run)].push_back(&run);
-  std::vector<Night> nights;
+  std::vector<NightlyRun> nightly_runs;
   for (const auto& [key, runs] : runs_of) {
-    Night& night =
-        nights.emplace_back(Night{key.git_commit, key.environment, key.machine, key.study, key.configuration, "", {}});
-    add_values(night, runs);
+    NightlyRun& nightly_run =
+        nightly_runs.emplace_back(NightlyRun{key.git_commit, key.environment, key.machine, key.study, key.configuration, "", {}});
+    add_values(nightly_run, runs);
   }
-  std::sort(nights.begin(), nights.end(), [](const Night& a, const Night& b) {
+  std::sort(nightly_runs.begin(), nightly_runs.end(), [](const NightlyRun& a, const NightlyRun& b) {
     return std::tie(a.recorded_at, a.git_commit) < std::tie(b.recorded_at, b.git_commit);
   });
-  return nights;
+  return nightly_runs;
 }
 
 }  // namespace mwt

@@ -1,4 +1,4 @@
-// One night: what one build measured on one machine in one study, a number per cell and measure.
+// One nightly run: what one build measured on one machine in one study, a number per cell and measure.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +10,28 @@
 
 namespace mwt {
 
-struct NightValue {
+struct NightlyValue {
   TrackedCell cell;
   std::string measure;   ///< the name of one of measures()
   double value = 0;      ///< median over the repetitions; for failures their share
   std::size_t runs = 0;  ///< repetitions behind it
 };
 
-struct Night {
+struct NightlyRun {
   std::string git_commit;
   std::string environment;  ///< fingerprint: hash of `machine` and of the number of jobs side by side
   std::string machine;
   std::string study;
   std::string configuration;  ///< fingerprint of the study's file, and of the program if `git_commit` does not tell it
   std::string recorded_at;    ///< when its last run had ended
-  std::vector<NightValue> values;
+  std::vector<NightlyValue> values;
 };
 
-/// The nights of a folder, usually one: its runs by commit, environment, study and configuration, ordered by time. Runs
+/// The nightly runs of a folder, usually one: its runs by commit, environment, study and configuration, ordered by time. Runs
 /// without an environment count as those of an unknown machine.
 ///
 /// A commit does not tell the program where the sources differed from it ("-dirty") or where there was no git
 /// ("unknown"). The configuration is empty for a folder without a study file whose commits tell the program.
-[[nodiscard]] std::vector<Night> nights_of(const ResultSet& results);
+[[nodiscard]] std::vector<NightlyRun> nightly_runs_of(const ResultSet& results);
 
 }  // namespace mwt
