@@ -13,8 +13,8 @@
 
 #include "algorithms/deadline.h"
 #include "algorithms/stop_reason.h"
-#include "geometry/numbers/interval.h"
 #include "base/parameters.h"
+#include "geometry/numbers/interval.h"
 #include "geometry/point.h"
 #include "geometry/triangulation.h"
 
@@ -93,7 +93,7 @@ struct AlgorithmInfo {
   std::string time;       ///< e.g. "O(n log n)"
   std::string space;
   Exactness exactness = Exactness::heuristic;
-  Index max_n = 0;                ///< largest sensible n: studies go no further; 0: no limit
+  Index max_n = 0;                    ///< largest sensible n: studies go no further; 0: no limit
   int version = 1;                    ///< raised whenever a change may alter results: keys cached optima
   bool convex_position_only = false;  ///< NotApplicable unless all points lie on the hull's boundary
   std::vector<ParameterInfo> parameters;

@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
+#include <cstdint>
 #include "base/error.h"
 #include "base/number_text.h"
-#include <cstdint>
 
 namespace mwt {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/error.h"
 #include <cstdint>
+#include "base/error.h"
 #include "base/testing/test_folder.h"
 
 namespace mwt {
@@ -43,7 +43,8 @@ TEST(GivenNumber, NothingWrapsAround) {
   EXPECT_EQ(mistake("18446744073709551616", kSeeds),
             "--k '18446744073709551616' is above 18446744073709551615" + range);
   EXPECT_EQ(mistake("-99999999999999999999", kSeeds), "--k '-99999999999999999999' is below 0" + range);
-  EXPECT_EQ(mistake<std::uint32_t>("4294967296", {1, 8}), "--k '4294967296' is above 8; give a whole number from 1 to 8");
+  EXPECT_EQ(mistake<std::uint32_t>("4294967296", {1, 8}),
+            "--k '4294967296' is above 8; give a whole number from 1 to 8");
   EXPECT_EQ(mistake<int>("0", {1, 8}), "--k '0' is below 1; give a whole number from 1 to 8");
 }
 

@@ -71,8 +71,8 @@ TEST(Parameters, RejectValuesOfTheWrongType) {
     EXPECT_EQ(error({{"ratio", value}}), "flip_naive: parameter ratio=" + std::string(value) + " is not a number");
   }
   for (const char* value : {"inf", "1e999"}) {
-    EXPECT_EQ(error({{"ratio", value}}), "flip_naive: parameter ratio=" + std::string(value) +
-                                             " is above 1.7976931348623157e+308; give a number");
+    EXPECT_EQ(error({{"ratio", value}}),
+              "flip_naive: parameter ratio=" + std::string(value) + " is above 1.7976931348623157e+308; give a number");
   }
   EXPECT_EQ(error({{"start", "sweep"}}), "flip_naive: parameter start=sweep is not one of greedy, delaunay");
 }

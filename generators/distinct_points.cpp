@@ -2,8 +2,8 @@
 
 #include <bit>
 
-#include "generators/random.h"
 #include "base/error.h"
+#include "generators/random.h"
 
 namespace mwt {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "generators/random.h"
 #include "base/error.h"
+#include "generators/random.h"
 
 namespace mwt {
 namespace {

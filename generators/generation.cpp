@@ -6,8 +6,8 @@
 #include <new>
 #include <string>
 
-#include "generators/arguments.h"
 #include "base/error.h"
+#include "generators/arguments.h"
 
 namespace mwt {
 

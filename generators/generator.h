@@ -40,7 +40,7 @@ struct GeneratorInfo {
   std::string stresses;  ///< which claim or algorithm it is aimed at
   std::string law;       ///< known optimum or growth law of alpha, or "none known"; for people
   Index min_n = 3;
-  Index max_n = 0;          ///< largest n that double precision carries
+  Index max_n = 0;              ///< largest n that double precision carries
   Index fixed_n = 0;            ///< for a named instance its only n (then also min_n and max_n), else 0
   bool seeded = true;           ///< whether the seed changes the points
   bool repeats_points = false;  ///< whether some of the points may be equal

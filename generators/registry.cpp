@@ -1,5 +1,6 @@
 #include "generators/registry.h"
 
+#include "base/error.h"
 #include "generators/annulus/annulus.h"
 #include "generators/circle/circle.h"
 #include "generators/cluster_in_triangle/cluster_in_triangle.h"
@@ -37,7 +38,6 @@
 #include "generators/wheel/wheel.h"
 #include "generators/wheels/wheels.h"
 #include "generators/with_duplicates/with_duplicates.h"
-#include "base/error.h"
 
 namespace mwt {
 

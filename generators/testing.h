@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "generators/registry.h"
 #include "geometry/convex_hull.h"
-#include "base/error.h"
 #include "geometry/point_set.h"
 #include "geometry/predicates.h"
 

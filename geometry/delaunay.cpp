@@ -12,9 +12,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "geometry/convex_hull.h"
 #include "base/cpu_clock.h"
 #include "base/error.h"
+#include "geometry/convex_hull.h"
 
 namespace mwt {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "geometry/checker.h"
 #include "base/error.h"
+#include "geometry/checker.h"
 #include "geometry/predicates.h"
 #include "geometry/testing/test_shapes.h"
 

@@ -9,8 +9,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "geometry/convex_hull.h"
 #include "base/error.h"
+#include "geometry/convex_hull.h"
 
 namespace mwt {
 

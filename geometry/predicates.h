@@ -9,8 +9,8 @@
 
 #include <cmath>
 
-#include "geometry/point.h"
 #include "geometry/numbers/trusted_range.h"
+#include "geometry/point.h"
 
 namespace mwt {
 

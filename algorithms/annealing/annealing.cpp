@@ -5,10 +5,10 @@
 #include <boost/random/uniform_int_distribution.hpp>
 #include <cmath>
 
-#include "algorithms/flip/flip.h"
-#include "geometry/mesh/distance.h"
 #include "algorithms/common/start.h"
+#include "algorithms/flip/flip.h"
 #include "base/error.h"
+#include "geometry/mesh/distance.h"
 #include "geometry/numbers/scaling.h"
 #include "geometry/weight.h"
 

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "algorithms/flip/flip.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "algorithms/common/start.h"
-#include "geometry/checker.h"
+#include "algorithms/flip/flip.h"
 #include "base/error.h"
+#include "geometry/checker.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/weight.h"
 
 namespace mwt {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "algorithms/common/solve_scaled.h"
-#include "geometry/convex_hull.h"
 #include "base/error.h"
+#include "geometry/convex_hull.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

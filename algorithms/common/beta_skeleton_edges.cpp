@@ -38,7 +38,8 @@ void copy_beta_skeleton(const PlanarMesh& delaunay, PlanarMesh& mesh) {
   }
   std::sort(beta_skeleton.begin(), beta_skeleton.end());
   for (MeshEdge e = 0; e < mesh.edge_count(); ++e) {
-    if (std::binary_search(beta_skeleton.begin(), beta_skeleton.end(), mesh.labelled_edge(e))) mesh.marks(e) |= kBetaSkeletonMark;
+    if (std::binary_search(beta_skeleton.begin(), beta_skeleton.end(), mesh.labelled_edge(e)))
+      mesh.marks(e) |= kBetaSkeletonMark;
   }
 }
 

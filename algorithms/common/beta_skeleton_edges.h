@@ -15,7 +15,8 @@ static_assert((kBetaSkeletonMark & kLastingMarks) != 0);
 /// Precondition: the mesh is a Delaunay triangulation. O(n).
 void mark_beta_skeleton(PlanarMesh& delaunay);
 
-/// Marks those edges of `mesh`, any triangulation of the same points, that are beta-skeleton edges in `delaunay`. O(n log n).
+/// Marks those edges of `mesh`, any triangulation of the same points, that are beta-skeleton edges in `delaunay`. O(n
+/// log n).
 void copy_beta_skeleton(const PlanarMesh& delaunay, PlanarMesh& mesh);
 
 }  // namespace mwt

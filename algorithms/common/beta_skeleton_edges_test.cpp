@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "geometry/mesh/testing/shapes_for_tests.h"
-#include "algorithms/patch/patch.h"
 #include "algorithms/common/start.h"
 #include "algorithms/common/testing/instances.h"
+#include "algorithms/patch/patch.h"
 #include "geometry/delaunay.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 
 namespace mwt {
 namespace {

@@ -3,10 +3,10 @@
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
+#include "algorithms/common/beta_skeleton_edges.h"
 #include "algorithms/greedy/greedy.h"
 #include "algorithms/hull_insertion/hull_insertion.h"
 #include "algorithms/quadtree/quadtree.h"
-#include "algorithms/common/beta_skeleton_edges.h"
 #include "algorithms/sweep/sweep.h"
 #include "base/error.h"
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "algorithms/greedy/greedy_builder.h"
 #include "algorithms/common/testing/solver_testing.h"
+#include "algorithms/greedy/greedy_builder.h"
 #include "generators/registry.h"
 #include "geometry/numbers/scaling.h"
 

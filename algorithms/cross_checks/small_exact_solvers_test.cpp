@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "algorithms/common/testing/solver_testing.h"
+#include "base/error.h"
 #include "generators/registry.h"
 #include "geometry/convex_hull.h"
-#include "base/error.h"
 #include "geometry/point_set.h"
 
 namespace mwt {

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/solve_scaled.h"
 #include "algorithms/exact/candidates/certain_edges.h"
 #include "algorithms/exact/candidates/convex_position.h"
 #include "algorithms/exact/candidates/diamond_candidates.h"
@@ -18,8 +20,6 @@
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
-#include "algorithms/common/lightest_heuristic.h"
-#include "algorithms/common/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
 

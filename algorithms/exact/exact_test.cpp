@@ -7,9 +7,9 @@
 #include <cmath>
 #include <random>
 
+#include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/candidates/convex_position.h"
 #include "algorithms/exact/testing/stage_testing.h"
-#include "algorithms/common/testing/solver_testing.h"
 
 namespace mwt {
 namespace {

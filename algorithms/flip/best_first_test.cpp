@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/common/start.h"
 #include "algorithms/flip/improving_flip.h"
 #include "geometry/mesh/testing/shapes_for_tests.h"
-#include "algorithms/common/start.h"
 
 namespace mwt {
 

@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "algorithms/common/start.h"
 #include "algorithms/flip/best_first.h"
 #include "algorithms/flip/counted_flips.h"
 #include "algorithms/flip/improving_flip.h"
-#include "algorithms/common/start.h"
 
 namespace mwt {
 

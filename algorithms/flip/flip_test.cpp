@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "algorithms/greedy/greedy.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "algorithms/common/start.h"
 #include "algorithms/common/testing/instances.h"
+#include "algorithms/greedy/greedy.h"
+#include "base/error.h"
 #include "geometry/checker.h"
 #include "geometry/delaunay.h"
-#include "base/error.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/weight.h"
 
 namespace mwt {

@@ -9,10 +9,10 @@
 
 #include "algorithms/greedy_naive/greedy_naive.h"
 #include "algorithms/sweep/sweep.h"
-#include "geometry/delaunay.h"
-#include "geometry/numbers/double_double.h"
 #include "base/error.h"
+#include "geometry/delaunay.h"
 #include "geometry/mesh/flip_triangulation.h"
+#include "geometry/numbers/double_double.h"
 
 namespace mwt {
 

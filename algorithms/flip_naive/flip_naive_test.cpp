@@ -1,7 +1,7 @@
 #include "algorithms/flip_naive/flip_naive.h"
 
-#include "algorithms/sweep/sweep.h"
 #include "algorithms/common/testing/instances.h"
+#include "algorithms/sweep/sweep.h"
 #include "base/error.h"
 #include "geometry/mesh/flip_triangulation.h"
 #include "geometry/weight.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "algorithms/greedy/certified_edges.h"
-#include "geometry/predicates.h"
 #include "geometry/numbers/trusted_range.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 

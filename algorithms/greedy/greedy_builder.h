@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "algorithms/algorithm.h"
-#include "algorithms/greedy/queue/candidate_queue.h"
 #include "algorithms/greedy/ears/ear_insertion.h"
 #include "algorithms/greedy/faces/faces.h"
 #include "algorithms/greedy/faces/fixed_stars.h"
 #include "algorithms/greedy/greedy.h"
+#include "algorithms/greedy/queue/candidate_queue.h"
 
 namespace mwt {
 

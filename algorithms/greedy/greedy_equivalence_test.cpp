@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/greedy/greedy_builder.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "algorithms/registry.h"
-#include "generators/registry.h"
 #include "base/error.h"
+#include "generators/registry.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/point_set.h"
 
 namespace mwt {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "algorithms/greedy/certified_edges.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/checker.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "geometry/mesh/edge_order.h"
 #include "geometry/convex_hull.h"
+#include "geometry/mesh/edge_order.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

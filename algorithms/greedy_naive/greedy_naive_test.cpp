@@ -1,8 +1,8 @@
 #include "algorithms/greedy_naive/greedy_naive.h"
 
+#include "algorithms/common/testing/instances.h"
 #include "algorithms/flip_naive/flip_naive.h"
 #include "geometry/mesh/edge_order.h"
-#include "algorithms/common/testing/instances.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

@@ -3,10 +3,10 @@
 #include <iomanip>
 #include <sstream>
 
+#include "algorithms/common/testing/instances.h"
 #include "algorithms/hull_insertion/split_distribution.h"
 #include "algorithms/hull_insertion/split_history.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
-#include "algorithms/common/testing/instances.h"
 #include "generators/hull_bound_counterexample/hull_bound_counterexample.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"

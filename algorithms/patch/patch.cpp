@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "algorithms/patch/patch_polygon.h"
-#include "algorithms/common/start.h"
 #include "algorithms/common/beta_skeleton_edges.h"
+#include "algorithms/common/start.h"
+#include "algorithms/patch/patch_polygon.h"
 #include "base/error.h"
 
 namespace mwt {
@@ -138,8 +138,7 @@ PatchOptions options_of(const Parameters& parameters) {
     throw InputError("patch: passes=" + std::to_string(passes) + " is not between 0 and 1000000");
   const std::int64_t long_k = parameters.integer("long_k");
   if (long_k < 0 || long_k > kMaxPatch) {
-    throw InputError("patch: long_k=" + std::to_string(long_k) + " is not between 0 and " +
-                     std::to_string(kMaxPatch));
+    throw InputError("patch: long_k=" + std::to_string(long_k) + " is not between 0 and " + std::to_string(kMaxPatch));
   }
   options.k = static_cast<int>(k);
   options.long_k = static_cast<int>(long_k == 0 ? std::min<std::int64_t>(4 * k, kMaxPatch) : long_k);
@@ -182,7 +181,8 @@ AlgorithmInfo patch_entry() {
   info.name = "patch";
   info.summary = "re-triangulates patches of k triangles optimally until none improves (large-neighbourhood search)";
   info.source =
-      "this project; sub-solver: G. T. Klincsek, Minimal triangulations of polygonal domains (1980); beta_skeleton: S.-W. "
+      "this project; sub-solver: G. T. Klincsek, Minimal triangulations of polygonal domains (1980); beta_skeleton: "
+      "S.-W. "
       "Cheng, "
       "Y.-F. Xu, On beta-skeleton as a subgraph of the minimum weight triangulation (2001)";
   info.guarantee =

@@ -7,9 +7,9 @@
 namespace mwt {
 
 struct PatchOptions {
-  int k = 6;          ///< triangles per patch, 2 .. kMaxPatch
-  int long_k = 0;     ///< if more than k: as many, in the end, around the longest edges
-  int passes = 0;     ///< rounds at most; 0: until no patch improves
+  int k = 6;                  ///< triangles per patch, 2 .. kMaxPatch
+  int long_k = 0;             ///< if more than k: as many, in the end, around the longest edges
+  int passes = 0;             ///< rounds at most; 0: until no patch improves
   bool beta_skeleton = true;  ///< whether patches stop at edges with kBetaSkeletonMark (common/beta_skeleton_edges.h)
 };
 

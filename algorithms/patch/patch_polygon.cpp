@@ -5,8 +5,8 @@
 
 #include "geometry/mesh/distance.h"
 #include "geometry/numbers/double_double.h"
-#include "geometry/predicates.h"
 #include "geometry/numbers/trusted_range.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 

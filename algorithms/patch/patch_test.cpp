@@ -6,16 +6,16 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/common/beta_skeleton_edges.h"
+#include "algorithms/common/start.h"
+#include "algorithms/common/testing/instances.h"
 #include "algorithms/flip/flip.h"
 #include "algorithms/greedy/greedy.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "algorithms/patch/patch_polygon.h"
-#include "algorithms/common/start.h"
-#include "algorithms/common/beta_skeleton_edges.h"
-#include "algorithms/common/testing/instances.h"
+#include "base/error.h"
 #include "geometry/checker.h"
 #include "geometry/convex_hull.h"
-#include "base/error.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/weight.h"
 
 namespace mwt {

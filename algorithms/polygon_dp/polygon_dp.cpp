@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "algorithms/common/solve_scaled.h"
+#include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
-#include "base/error.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 

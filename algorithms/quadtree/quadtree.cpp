@@ -3,14 +3,14 @@
 #include <string>
 #include <utility>
 
-#include "geometry/mesh/constraint_insertion.h"
-#include "geometry/mesh/planar_mesh.h"
 #include "algorithms/quadtree/leaf_triangulation.h"
+#include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
-#include "base/error.h"
-#include "geometry/quadtree.h"
+#include "geometry/mesh/constraint_insertion.h"
+#include "geometry/mesh/planar_mesh.h"
 #include "geometry/numbers/scaling.h"
+#include "geometry/quadtree.h"
 
 namespace mwt {
 

@@ -2,10 +2,10 @@
 
 #include <numeric>
 
-#include "algorithms/quadtree/leaf_triangulation.h"
 #include "algorithms/common/testing/instances.h"
-#include "geometry/delaunay.h"
+#include "algorithms/quadtree/leaf_triangulation.h"
 #include "base/error.h"
+#include "geometry/delaunay.h"
 #include "geometry/mesh/flip_triangulation.h"
 #include "geometry/quadtree.h"
 #include "geometry/weight.h"

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "algorithms/common/solve_scaled.h"
+#include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
-#include "base/error.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 
@@ -232,8 +232,7 @@ Solution solve(Points points, Context& context) {
   }
   if (std::ssize(points) > limit) {
     throw NotApplicable("subset_dp: " + std::to_string(points.size()) + " points; it takes at most " +
-                        std::to_string(limit) + " (parameter max_points, up to " + std::to_string(kSubsetDpMaxN) +
-                        ")");
+                        std::to_string(limit) + " (parameter max_points, up to " + std::to_string(kSubsetDpMaxN) + ")");
   }
   Solution solution;
   std::optional<SubsetDpResult> result = count_and_optimise(points, context);

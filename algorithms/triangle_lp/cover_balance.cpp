@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxSweeps = 20'000;
 constexpr std::size_t kMaxVisits = 1'000'000'000;  // of columns, in all sweeps together
-constexpr double kNegligibleGain = 1e-6;            // per sweep, relative
+constexpr double kNegligibleGain = 1e-6;           // per sweep, relative
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

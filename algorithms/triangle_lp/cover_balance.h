@@ -6,8 +6,8 @@
 
 namespace mwt {
 
-/// Improves dual values until few triangles have a small reduced cost and few a negative one: usually to within a few per
-/// cent of the best dual solution. Only a starting point, so rounding does no harm. All edges must be open.
+/// Improves dual values until few triangles have a small reduced cost and few a negative one: usually to within a few
+/// per cent of the best dual solution. Only a starting point, so rounding does no harm. All edges must be open.
 ///
 /// Block-coordinate dual ascent: every inner edge moves dual value from one of its sides to the other until the least
 /// reduced costs on both sides are equal; every boundary edge takes what its triangle can still give.

@@ -143,7 +143,7 @@ std::vector<Point> local_points(const CoverModel& model, Points points) {
 
 CoverDuals duals_of_cover(const CoverModel& model, Points points, std::span<const Triangle> cover) {
   CoverDuals duals{std::vector<double>(model.side_cost.size(), 0),
-                       std::vector<EdgeDecision>(model.edges.size(), EdgeDecision::open)};
+                   std::vector<EdgeDecision>(model.edges.size(), EdgeDecision::open)};
   const CoverTriangles triangles(model, cover);
   if (triangles.size() == 0) return duals;
   const std::vector<Point> local = local_points(model, points);

@@ -33,7 +33,7 @@ struct CoverModel {
   std::vector<DoubleDouble> side_cost;    ///< by side: half the edge's length, all of it on a one-way boundary edge
   std::vector<std::uint8_t> on_boundary;  ///< by side
   std::size_t triangle_count = 0;         ///< of every cover
-  double max_cover_cost = 0;          ///< no cover costs more
+  double max_cover_cost = 0;              ///< no cover costs more
   int exponent = 0;                       ///< the unit of length is 2^exponent
 
   [[nodiscard]] bool is_inner(std::uint32_t edge) const {
@@ -45,20 +45,20 @@ struct CoverModel {
 /// Whether an inner edge may be in the cover, must be or must not be.
 enum class EdgeDecision : std::uint8_t { open, in, out };
 
-/// A dual solution: what a triangle gets back for each side it covers. Open inner edges have opposite dual values on their
-/// sides, so that a cover's dual values add up to those of the boundary and of both sides of the edges that must be in.
+/// A dual solution: what a triangle gets back for each side it covers. Open inner edges have opposite dual values on
+/// their sides, so that a cover's dual values add up to those of the boundary and of both sides of the edges that must
+/// be in.
 struct CoverDuals {
   std::vector<double> of_side;
   std::vector<EdgeDecision> decisions;  ///< by edge
 };
 
 /// A triangle's cost less the dual values of its sides, rounded from double-double.
-[[nodiscard]] double reduced_cost(const CoverModel& model, const CoverDuals& duals,
-                                  const CoverModel::Column& column);
+[[nodiscard]] double reduced_cost(const CoverModel& model, const CoverDuals& duals, const CoverModel::Column& column);
 
 /// The same rounded down, certified.
 [[nodiscard]] double min_reduced_cost(const CoverModel& model, const CoverDuals& duals,
-                                        const CoverModel::Column& column);
+                                      const CoverModel::Column& column);
 
 struct PricedColumn {
   std::uint32_t column;
@@ -66,14 +66,14 @@ struct PricedColumn {
 };
 
 struct CoverPricing {
-  double lower = 0;   ///< certified: no cover that obeys the decisions costs less
-  double dual = 0;  ///< rounded: what `lower` would be if no reduced cost were negative
-  double worst = 0;   ///< certified: at most 0 and at most any reduced cost
+  double lower = 0;  ///< certified: no cover that obeys the decisions costs less
+  double dual = 0;   ///< rounded: what `lower` would be if no reduced cost were negative
+  double worst = 0;  ///< certified: at most 0 and at most any reduced cost
   std::vector<PricedColumn> violated;
 };
 
-/// Prices every column. A cover has triangle_count triangles, each costing at least its dual values plus the worst reduced
-/// cost, so
+/// Prices every column. A cover has triangle_count triangles, each costing at least its dual values plus the worst
+/// reduced cost, so
 ///   cost >= dual values of the boundary and of edges that must be in + triangle_count * worst,
 /// whatever the dual values are and wherever they come from. Evaluated in doubles with an error bound, near zero in
 /// double-double. O(columns).

@@ -28,10 +28,7 @@ bool is_forward(Side side) { return side == forward_side(edge_of(side)); }
 
 CoverProgram::CoverProgram(const CoverModel& model, CoverDuals duals, std::span<const std::uint32_t> first_columns,
                            const Deadline& deadline)
-    : model_(model),
-      deadline_(deadline),
-      duals_(std::move(duals)),
-      empty_cover_cost_(2 * model.max_cover_cost) {
+    : model_(model), deadline_(deadline), duals_(std::move(duals)), empty_cover_cost_(2 * model.max_cover_cost) {
   const std::size_t edges = model.edges.size();
   is_active_.assign(model.columns.size(), 0);
   boundary_row_.assign(2 * edges, kNone);

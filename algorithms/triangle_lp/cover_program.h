@@ -73,7 +73,7 @@ class CoverProgram {
   std::vector<int> boundary_row_;        // by side: covered once
   std::vector<int> balance_row_;         // by inner edge: covered as often from the left as from the right
   std::vector<int> decision_row_;        // by inner edge: how often its forward side is covered
-  std::vector<double> decision_dual_;  // by inner edge
+  std::vector<double> decision_dual_;    // by inner edge
   std::uint64_t programs_ = 0;
   bool solved_ = false;
 };

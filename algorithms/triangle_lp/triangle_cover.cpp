@@ -181,7 +181,7 @@ class CoverSearch {
   const TriangleCoverProblem& problem_;
   CoverModel model_;
   TriangleCover best_;
-  CoverDuals duals_;  // to begin with
+  CoverDuals duals_;      // to begin with
   double lower_ = 0;      // certified, in the model's unit
   bool stopped_ = false;  // by the deadline
   std::optional<CoverProgram> program_;

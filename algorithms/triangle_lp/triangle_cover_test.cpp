@@ -134,7 +134,7 @@ TEST(CoverModel, BoundsCoversByArbitraryCredits) {
   const double unit = std::ldexp(1.0, model.exponent);
   for (int k = 0; k < 50; ++k) {
     CoverDuals duals{std::vector<double>(model.side_cost.size()),
-                         std::vector<EdgeDecision>(model.edges.size(), EdgeDecision::open)};
+                     std::vector<EdgeDecision>(model.edges.size(), EdgeDecision::open)};
     for (std::uint32_t edge = 0; edge < model.edges.size(); ++edge) {
       const double dual = 0.01 * k * std::sin(edge + k);
       duals.of_side[forward_side(edge)] = model.is_inner(edge) ? dual : std::abs(dual);

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "algorithms/common/testing/solver_testing.h"
-#include "generators/registry.h"
 #include "base/cpu_clock.h"
 #include "base/error.h"
+#include "generators/registry.h"
 #include "geometry/point_set.h"
 
 namespace mwt {
@@ -52,8 +52,8 @@ TEST(TriangleLp, TakesDozensOfPointsOfEveryFamily) {
   }
 }
 
-// The flow through slivers made dual values of 1e14 and 1e118 to begin with, in which all costs were lost: the first set
-// stayed at [6.157, 6.414], the second went round in circles between two linear programs.
+// The flow through slivers made dual values of 1e14 and 1e118 to begin with, in which all costs were lost: the first
+// set stayed at [6.157, 6.414], the second went round in circles between two linear programs.
 TEST(TriangleLp, ProvesSetsWithSlivers) {
   const std::vector<Point> one_ulp_apart = {{2.0000000000000004, 1},
                                             {1.9999999999999996, 2},

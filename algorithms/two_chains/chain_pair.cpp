@@ -65,10 +65,10 @@ class ChainPairSearch {
       first.push_back(start);
       return first;
     };
-    const std::size_t smallest = min_with(
-        2, all.size() - 1, [&](std::size_t size) { return is_in_convex_position(points_, first_of(size)); });
-    const std::size_t beyond = min_with(
-        2, all.size() - 1, [&](std::size_t size) { return !is_in_convex_position(points_, all.first(size)); });
+    const std::size_t smallest =
+        min_with(2, all.size() - 1, [&](std::size_t size) { return is_in_convex_position(points_, first_of(size)); });
+    const std::size_t beyond =
+        min_with(2, all.size() - 1, [&](std::size_t size) { return !is_in_convex_position(points_, all.first(size)); });
     for (std::size_t size = smallest; size < beyond; ++size) {
       ChainPair pair{chain_from(start, first_of(size)), chain_from(other_start, all.first(size))};
       const bool has_ends = pair.first.front() == start && pair.first.back() == other_end &&

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/common/solve_scaled.h"
 #include "algorithms/greedy/greedy.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
-#include "algorithms/common/solve_scaled.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
 #include "geometry/weight.h"

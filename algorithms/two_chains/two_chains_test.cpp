@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "algorithms/common/testing/solver_testing.h"
-#include "generators/registry.h"
 #include "base/error.h"
+#include "generators/registry.h"
 
 namespace mwt {
 namespace {

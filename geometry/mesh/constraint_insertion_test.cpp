@@ -6,8 +6,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/checker.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/numbers/double_double.h"
-#include "geometry/triangulation.h"
 #include "geometry/numbers/trusted_range.h"
+#include "geometry/triangulation.h"
 
 namespace mwt {
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "geometry/numbers/trusted_range.h"
 #include "geometry/point.h"
 #include "geometry/predicates.h"
-#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 

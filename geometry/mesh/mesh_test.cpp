@@ -5,15 +5,15 @@
 #include <random>
 #include <set>
 
+#include "geometry/checker.h"
 #include "geometry/mesh/delaunay_triangles.h"
 #include "geometry/mesh/distance.h"
 #include "geometry/mesh/edge_order.h"
 #include "geometry/mesh/in_circle.h"
 #include "geometry/mesh/planar_mesh.h"
 #include "geometry/mesh/radix_sort.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/mesh/spatial_order.h"
-#include "geometry/checker.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

@@ -45,8 +45,8 @@ TEST_F(BenchmarkProgram, CsvMayBeginWithASkippedBenchmark) {
 }
 
 TEST_F(BenchmarkProgram, NumbersOfFlagsAreHeldToTheirRange) {
-  for (const char* flag : {"--max_n=0", "--max_n=-1", "--max_n=", "--max_n=1e3", "--threads=nan",
-                           "--threads=99999999999"}) {
+  for (const char* flag :
+       {"--max_n=0", "--max_n=-1", "--max_n=", "--max_n=1e3", "--threads=nan", "--threads=99999999999"}) {
     EXPECT_EQ(benchmark(flag), 2) << flag;
     EXPECT_TRUE(read(".err").starts_with("mwt_benchmark: " + std::string(flag) + " is ")) << read(".err");
   }

@@ -24,9 +24,9 @@
 #include "base/given_number.h"
 #include "harness/benchmark/csv_reporter.h"
 #include "harness/benchmark/prepared_cell.h"
-#include "harness/run/machine/build_info.h"
 #include "harness/cli/command_line.h"
 #include "harness/io/standard_streams.h"
+#include "harness/run/machine/build_info.h"
 
 namespace mwt {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <iostream>
 
-#include "geometry/delaunay.h"
 #include "base/error.h"
+#include "geometry/delaunay.h"
 #include "harness/rating/optimum_claims.h"
+#include "harness/rating/optimum_search.h"
 #include "harness/rating/quality.h"
 #include "harness/statistics/quantile.h"
-#include "harness/rating/optimum_search.h"
 #include "harness/study/plan.h"
 
 namespace mwt {

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "harness/io/output_file.h"
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
+#include "harness/io/output_file.h"
 #include "harness/io/text/text.h"
 
 namespace mwt {

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "harness/claims/testing/claim_records.h"
-#include "harness/io/text/csv.h"
 #include "harness/io/testing/folder_testing.h"
+#include "harness/io/text/csv.h"
 #include "harness/io/text/text.h"
 
 namespace mwt {

@@ -3,9 +3,9 @@
 
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
+#include "harness/io/text/text.h"
 #include "harness/statistics/binomial_interval.h"
 #include "harness/statistics/quantile.h"
-#include "harness/io/text/text.h"
 
 namespace mwt::claims {
 

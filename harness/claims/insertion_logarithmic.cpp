@@ -70,8 +70,9 @@ Finding judge(const StudyRecords& records) {
            run.alpha_lower;
   });
   const Growth growth = growth_by_family(finding.rows, finding.details);
-  finding.missing = "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " +
-                    std::to_string(kMinN) + ", with a certified alpha";
+  finding.missing =
+      "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " + std::to_string(kMinN) +
+      ", with a certified alpha";
   if (finding.details.rows.empty()) return finding;
   finding.missing =
       "nowhere does alpha surely outgrow log n, nor is that excluded everywhere (see the intervals of alpha / log n); "

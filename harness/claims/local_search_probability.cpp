@@ -4,8 +4,8 @@
 
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
-#include "harness/statistics/binomial_interval.h"
 #include "harness/io/text/text.h"
+#include "harness/statistics/binomial_interval.h"
 
 namespace mwt::claims {
 
@@ -82,8 +82,7 @@ Finding judge(const StudyRecords& records) {
       finding.missing = "more finished runs of: " + joined(summary.open_cells) +
                         "; six successes of six are the fewest that show P > 1/2";
       finding.measured = share + " runs end below 1.1 OPT (uniform, " + size_range(finding.rows) +
-                         "); in every cell of n and start P >= " + fixed(summary.min_lower, 2) +
-                         " with 95% confidence";
+                         "); in every cell of n and start P >= " + fixed(summary.min_lower, 2) + " with 95% confidence";
     } else if (epsilon < kDecidingEpsilon) {
       harder += "; below " + significant(1 + epsilon, epsilon < 0.005 ? 4 : 3) + " OPT: " + share;
     }

@@ -3,8 +3,8 @@
 
 #include "harness/claims/report_claims.h"
 #include "harness/claims/selection.h"
-#include "harness/statistics/quantile.h"
 #include "harness/io/text/text.h"
+#include "harness/statistics/quantile.h"
 
 namespace mwt::claims {
 

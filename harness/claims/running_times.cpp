@@ -10,10 +10,10 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr double kTolerance = 0.15;          // caches and memory make large inputs dearer per step
+constexpr double kTolerance = 0.15;     // caches and memory make large inputs dearer per step
 constexpr Index kMinPower = 20;         // below, fixed costs hide the growth
 constexpr Index kMinNearLinear = 1000;  // n log n needs room to tell itself from n
-constexpr double kSlowestGrowth = 1.5;       // per point: what "exponential" must exceed
+constexpr double kSlowestGrowth = 1.5;  // per point: what "exponential" must exceed
 constexpr std::size_t kMinSizes = 3;
 
 enum class Shape { power, times_log, per_pass };

@@ -9,8 +9,8 @@
 
 #include "base/number_text.h"
 #include "base/parameters.h"
-#include "harness/study/plan.h"
 #include "harness/io/text/text.h"
+#include "harness/study/plan.h"
 
 namespace mwt {
 

@@ -1,13 +1,13 @@
 #include <iostream>
 #include <memory>
 
-#include "harness/io/input_file.h"
-#include "harness/io/points/point_file.h"
 #include "geometry/point_set.h"
-#include "harness/io/triangulation_file.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/io/given_triangulation.h"
+#include "harness/io/input_file.h"
+#include "harness/io/points/point_file.h"
+#include "harness/io/triangulation_file.h"
 
 namespace mwt {
 

@@ -11,8 +11,8 @@
 #include "algorithms/algorithm.h"
 #include "base/error.h"
 #include "base/given_number.h"
-#include "harness/io/text/text_lines.h"
 #include "harness/io/text/text.h"
+#include "harness/io/text/text_lines.h"
 
 namespace mwt {
 

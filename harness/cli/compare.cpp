@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "base/error.h"
+#include "harness/cli/commands.h"
 #include "harness/io/output_file.h"
 #include "harness/run/catalogue.h"
-#include "harness/cli/commands.h"
 #include "harness/tracking/comparison/comparison.h"
 #include "harness/tracking/comparison/comparison_text.h"
 #include "harness/tracking/comparison/interleaved_builds.h"

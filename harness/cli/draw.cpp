@@ -4,16 +4,16 @@
 #include <memory>
 
 #include "geometry/convex_hull.h"
-#include "harness/io/input_file.h"
-#include "harness/io/output_file.h"
-#include "harness/io/points/point_file.h"
 #include "geometry/point_set.h"
-#include "harness/io/svg.h"
 #include "geometry/weight.h"
-#include "harness/io/text/aligned_table.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/io/given_triangulation.h"
+#include "harness/io/input_file.h"
+#include "harness/io/output_file.h"
+#include "harness/io/points/point_file.h"
+#include "harness/io/svg.h"
+#include "harness/io/text/aligned_table.h"
 #include "harness/io/text/text.h"
 
 namespace mwt {

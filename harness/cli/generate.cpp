@@ -1,9 +1,9 @@
 #include <memory>
 
 #include "base/error.h"
+#include "harness/cli/commands.h"
 #include "harness/io/points/point_file.h"
 #include "harness/run/catalogue.h"
-#include "harness/cli/commands.h"
 
 namespace mwt {
 

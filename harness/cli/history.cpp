@@ -2,10 +2,10 @@
 #include <memory>
 
 #include "base/error.h"
-#include "harness/io/output_file.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/cli/history_option.h"
+#include "harness/io/output_file.h"
 #include "harness/tracking/history/changes.h"
 #include "harness/tracking/history/history.h"
 #include "harness/tracking/history/history_text.h"
@@ -36,7 +36,8 @@ std::string answer(const Options& options) {
     throw InputError("history has no action '" + options.action + "'; known: export, changes, series");
   if (options.action == "export" && !options.csv) throw InputError("give the form of the export: --csv");
   if (options.action == "series" && !options.json) throw InputError("give the form of the series: --json");
-  const std::vector<NightlyRun> nightly_runs = History(history_path(options.history), History::Mode::read).nightly_runs();
+  const std::vector<NightlyRun> nightly_runs =
+      History(history_path(options.history), History::Mode::read).nightly_runs();
   if (options.action == "export") return history_csv(nightly_runs);
   ChangeOptions change_options;
   if (options.min_change) change_options.min_change = *options.min_change / 100;

@@ -6,12 +6,12 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "harness/io/output_file.h"
-#include "harness/run/catalogue.h"
 #include "harness/cli/commands.h"
 #include "harness/hunt/hunt.h"
-#include "harness/run/start_triangulation.h"
+#include "harness/io/output_file.h"
 #include "harness/io/text/text.h"
+#include "harness/run/catalogue.h"
+#include "harness/run/start_triangulation.h"
 
 namespace mwt {
 
@@ -50,8 +50,7 @@ HuntPlan plan_of(const Options& options, const Catalogue& catalogue) {
   plan.solver = &solver_of(options, catalogue, plan.n);
   for (const AlgorithmInfo* info : {plan.request.algorithm, plan.solver}) {
     if (info->max_n != 0 && plan.n > info->max_n)
-      throw InputError(info->name + " takes at most " + std::to_string(info->max_n) +
-                       " points; give a smaller --n");
+      throw InputError(info->name + " takes at most " + std::to_string(info->max_n) + " points; give a smaller --n");
   }
   plan.seed = options.seed;
   plan.climbers = options.threads;

@@ -1,8 +1,8 @@
 // `mwt hunt` from end to end.
 #include <gtest/gtest.h>
 
-#include "harness/io/points/point_file.h"
 #include "harness/cli/testing/commands_testing.h"
+#include "harness/io/points/point_file.h"
 
 namespace mwt {
 namespace {

@@ -2,12 +2,12 @@
 #include <memory>
 
 #include "base/error.h"
-#include "harness/io/text/aligned_table.h"
-#include "harness/run/catalogue.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/json_output.h"
-#include "harness/study/study.h"
 #include "harness/io/terminal.h"
+#include "harness/io/text/aligned_table.h"
+#include "harness/run/catalogue.h"
+#include "harness/study/study.h"
 
 namespace mwt {
 
@@ -39,8 +39,7 @@ std::string readable_text(std::span<const AlgorithmInfo> algorithms) {
 std::string readable_text(std::span<const GeneratorInfo> generators) {
   AlignedTable table({"family and parameters", "n", "what it is"}, {2});
   for (const GeneratorInfo& info : generators) {
-    const std::string sizes =
-        info.fixed_n != 0 ? std::to_string(info.fixed_n) : ">= " + std::to_string(info.min_n);
+    const std::string sizes = info.fixed_n != 0 ? std::to_string(info.fixed_n) : ">= " + std::to_string(info.min_n);
     table.add_row({with_defaults(info.name, info.parameters), sizes, info.summary});
   }
   return table.text_within(output_width());

@@ -46,7 +46,9 @@ class Nightly : public testing::CommandTest {
   }
 
   /// A second later than any before: nightly runs are named by the second.
-  int nightly_run(const std::string& arguments = "") { return shell("sleep 1.1; ./nightly " + arguments + " >.out 2>.err"); }
+  int nightly_run(const std::string& arguments = "") {
+    return shell("sleep 1.1; ./nightly " + arguments + " >.out 2>.err");
+  }
 
   [[nodiscard]] std::string accepted() const { return link("accepted"); }
   [[nodiscard]] std::string last() const { return link("last"); }
@@ -122,7 +124,8 @@ TEST_F(Nightly, ANightThatFailsLeavesNoOldVerdict) {
 TEST_F(Nightly, FailedRunsAreTheComparisonsMatter) {
   write("run_code", "1");
   EXPECT_EQ(nightly_run(), 0) << read(".err");
-  EXPECT_NE(verdict().find("Some of its runs failed"), std::string::npos) << "nothing to compare the first nightly run with";
+  EXPECT_NE(verdict().find("Some of its runs failed"), std::string::npos)
+      << "nothing to compare the first nightly run with";
   EXPECT_EQ(nightly_run(), 0) << read(".err");
 }
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <sstream>
 
-#include "harness/io/output_file.h"
 #include "harness/cli/commands.h"
 #include "harness/cli/file_options.h"
+#include "harness/io/output_file.h"
 
 namespace mwt {
 

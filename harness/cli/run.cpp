@@ -4,15 +4,15 @@
 #include <iostream>
 #include <memory>
 
-#include "harness/run/catalogue.h"
 #include "harness/cli/commands.h"
-#include "harness/rating/optimum_cache.h"
-#include "harness/report/failures.h"
 #include "harness/rating/final_rating.h"
-#include "harness/report/tables.h"
-#include "harness/study/estimate/dry_run.h"
 #include "harness/rating/known_optima.h"
+#include "harness/rating/optimum_cache.h"
 #include "harness/records/results_folder.h"
+#include "harness/report/failures.h"
+#include "harness/report/tables.h"
+#include "harness/run/catalogue.h"
+#include "harness/study/estimate/dry_run.h"
 #include "harness/study/run_study.h"
 
 namespace mwt {

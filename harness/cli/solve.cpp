@@ -4,23 +4,23 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "harness/cli/commands.h"
+#include "harness/cli/file_options.h"
+#include "harness/cli/json_output.h"
+#include "harness/cli/solve_report.h"
+#include "harness/io/given_triangulation.h"
 #include "harness/io/input_file.h"
 #include "harness/io/points/point_file.h"
 #include "harness/io/svg.h"
+#include "harness/io/text/text.h"
 #include "harness/io/triangulation_file.h"
-#include "harness/run/catalogue.h"
-#include "harness/cli/commands.h"
-#include "harness/cli/file_options.h"
-#include "harness/run/execution.h"
-#include "harness/io/given_triangulation.h"
-#include "harness/cli/json_output.h"
 #include "harness/rating/optimum_cache.h"
 #include "harness/rating/optimum_claims.h"
-#include "harness/rating/quality.h"
-#include "harness/cli/solve_report.h"
-#include "harness/run/start_triangulation.h"
 #include "harness/rating/optimum_search.h"
-#include "harness/io/text/text.h"
+#include "harness/rating/quality.h"
+#include "harness/run/catalogue.h"
+#include "harness/run/execution.h"
+#include "harness/run/start_triangulation.h"
 
 namespace mwt {
 

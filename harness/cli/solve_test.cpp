@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "harness/io/points/point_file.h"
 #include "harness/cli/testing/commands_testing.h"
+#include "harness/io/points/point_file.h"
 #include "harness/rating/optimum_cache.h"
 #include "harness/rating/optimum_search.h"
 #include "harness/records/results_folder.h"

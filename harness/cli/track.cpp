@@ -31,15 +31,16 @@ std::string word_for(History::Added added) {
 int track(const Options& options) {
   std::vector<NightlyRun> nightly_runs;
   for (const std::string& folder : options.folders) {
-    for (NightlyRun& nightly_run : nightly_runs_of(read_results(folder))) nightly_runs.push_back(std::move(nightly_run));
+    for (NightlyRun& nightly_run : nightly_runs_of(read_results(folder)))
+      nightly_runs.push_back(std::move(nightly_run));
   }
   if (nightly_runs.empty()) throw InputError(options.folders.front() + ": has no runs");
   make_folder_of(history_path(options.history));
   History history(history_path(options.history), History::Mode::write);
   for (const NightlyRun& nightly_run : nightly_runs) {
     const History::Added added = history.add(nightly_run);
-    std::cout << nightly_run.study << ' ' << nightly_run.git_commit << " on " << nightly_run.machine << ": " << nightly_run.values.size()
-              << " values " << word_for(added) << '\n';
+    std::cout << nightly_run.study << ' ' << nightly_run.git_commit << " on " << nightly_run.machine << ": "
+              << nightly_run.values.size() << " values " << word_for(added) << '\n';
   }
   return kExitOk;
 }

@@ -16,7 +16,8 @@ using testing::CommandResult;
 class TrackingCommands : public testing::CommandTest {
  protected:
   void write_nightly_run(int nightly_run, const testing::Tamper& tamper = {}) const {
-    testing::write_synthetic_nightly_run(path("n" + std::to_string(nightly_run)), testing::synthetic_runs({}, nightly_run, 1, tamper));
+    testing::write_synthetic_nightly_run(path("n" + std::to_string(nightly_run)),
+                                         testing::synthetic_runs({}, nightly_run, 1, tamper));
   }
 };
 

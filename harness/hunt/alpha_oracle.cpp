@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "geometry/checker.h"
 #include "base/error.h"
+#include "geometry/checker.h"
 #include "geometry/weight.h"
 #include "harness/rating/optimum_claims.h"
 #include "harness/rating/quality.h"

@@ -7,12 +7,12 @@
 #include <stdexcept>
 
 #include "algorithms/sweep/sweep.h"
-#include "geometry/delaunay.h"
 #include "base/error.h"
+#include "geometry/delaunay.h"
 #include "geometry/weight.h"
-#include "harness/io/testing/folder_testing.h"
 #include "harness/hunt/moves.h"
 #include "harness/hunt/state_file.h"
+#include "harness/io/testing/folder_testing.h"
 
 namespace mwt {
 namespace {

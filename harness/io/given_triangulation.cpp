@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/checker.h"
 #include "base/error.h"
+#include "geometry/checker.h"
 #include "harness/io/triangulation_file.h"
 
 namespace mwt {

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "base/error.h"
-#include "harness/io/input_file.h"
 #include "base/testing/test_folder.h"
+#include "harness/io/input_file.h"
 
 namespace mwt {
 namespace {

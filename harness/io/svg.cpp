@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "geometry/convex_hull.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "harness/io/output_file.h"
 #include "base/unicode.h"
+#include "geometry/convex_hull.h"
+#include "harness/io/output_file.h"
 
 namespace mwt {
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "geometry/convex_hull.h"
-#include "geometry/delaunay.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/testing/test_folder.h"
+#include "geometry/convex_hull.h"
+#include "geometry/delaunay.h"
 #include "geometry/testing/test_shapes.h"
 
 namespace mwt {

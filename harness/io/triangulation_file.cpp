@@ -3,10 +3,10 @@
 #include <array>
 #include <numeric>
 
-#include "harness/io/text/cell_text.h"
-#include "harness/io/input_file.h"
 #include "base/number_text.h"
+#include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
+#include "harness/io/text/cell_text.h"
 #include "harness/io/text/text_file.h"
 #include "harness/io/text/text_table.h"
 

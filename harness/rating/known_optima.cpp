@@ -3,8 +3,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "harness/rating/quality.h"
 #include "harness/io/text/text.h"
+#include "harness/rating/quality.h"
 
 namespace mwt {
 

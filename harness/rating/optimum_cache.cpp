@@ -12,9 +12,9 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "harness/io/output_file.h"
-#include "harness/run/machine/build_info.h"
-#include "harness/rating/quality.h"
 #include "harness/io/text/text.h"
+#include "harness/rating/quality.h"
+#include "harness/run/machine/build_info.h"
 
 namespace mwt {
 

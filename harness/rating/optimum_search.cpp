@@ -6,11 +6,11 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "harness/io/text/text.h"
+#include "harness/rating/known_optima.h"
 #include "harness/rating/quality.h"
 #include "harness/run/isolated_run.h"
-#include "harness/rating/known_optima.h"
 #include "harness/study/plan.h"
-#include "harness/io/text/text.h"
 
 namespace mwt {
 
@@ -160,9 +160,7 @@ std::vector<const AlgorithmInfo*> optimum_sources_for(const Catalogue& catalogue
     const bool takes_it = n <= max_n_for(info, {}) && (in_convex_position || !info.convex_position_only);
     if (info.exactness == Exactness::exact && takes_it) result.push_back(&info);
   }
-  const auto rank = [](const AlgorithmInfo& info) {
-    return std::pair(info.convex_position_only, max_n_for(info, {}));
-  };
+  const auto rank = [](const AlgorithmInfo& info) { return std::pair(info.convex_position_only, max_n_for(info, {})); };
   std::stable_sort(result.begin(), result.end(),
                    [&](const AlgorithmInfo* a, const AlgorithmInfo* b) { return rank(*a) > rank(*b); });
   return result;

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/run/catalogue.h"
-#include "harness/run/execution.h"
 #include "harness/rating/optimum_cache.h"
 #include "harness/rating/optimum_claims.h"
+#include "harness/run/catalogue.h"
+#include "harness/run/execution.h"
 #include "harness/run/process_pool.h"
 #include "harness/study/study.h"
 

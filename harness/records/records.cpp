@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "base/number_text.h"
-#include "harness/io/text/text_lines.h"
 #include "harness/io/text/text.h"
+#include "harness/io/text/text_lines.h"
 
 namespace mwt {
 

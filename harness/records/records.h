@@ -15,8 +15,8 @@
 #include "geometry/numbers/interval.h"
 #include "geometry/point.h"
 #include "harness/io/text/csv.h"
-#include "harness/run/status.h"
 #include "harness/io/text/text.h"
+#include "harness/run/status.h"
 
 namespace mwt {
 

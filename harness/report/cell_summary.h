@@ -24,9 +24,9 @@ struct Statistic {
 /// Statistics without observations are missing. Those of alpha are over instances with a proved optimum.
 struct CellSummary {
   Cell cell;
-  std::optional<Statistic> time;         ///< median, s
-  std::optional<Statistic> over_delaunay;   ///< median of time over the Delaunay time's
-  std::optional<double> peak_rss_bytes;  ///< median
+  std::optional<Statistic> time;           ///< median, s
+  std::optional<Statistic> over_delaunay;  ///< median of time over the Delaunay time's
+  std::optional<double> peak_rss_bytes;    ///< median
   std::optional<Statistic> alpha_mean;
   std::optional<Statistic> alpha_median;
   std::optional<Statistic> alpha_p95;

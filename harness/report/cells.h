@@ -36,10 +36,10 @@ struct Cell {
   std::size_t not_applicable = 0;
   std::size_t instances = 0;           ///< with at least one run that is ok
   std::vector<double> times;           ///< observations, s
-  std::vector<double> over_delaunay;      ///< observations: time over the Delaunay time's, where that was measured
+  std::vector<double> over_delaunay;   ///< observations: time over the Delaunay time's, where that was measured
   std::vector<double> peak_rss_bytes;  ///< observations
   std::vector<double> alphas;          ///< one per instance with a proved optimum: upper ends of certified intervals
-  double max_alpha = 0;            ///< over all such runs; 0 if there is none
+  double max_alpha = 0;                ///< over all such runs; 0 if there is none
   std::size_t optimal = 0;             ///< instances among these on which every run is proved optimal
 };
 

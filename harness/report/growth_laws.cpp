@@ -7,8 +7,8 @@
 #include <set>
 
 #include "harness/io/text/aligned_table.h"
-#include "harness/statistics/power_law.h"
 #include "harness/io/text/text.h"
+#include "harness/statistics/power_law.h"
 
 namespace mwt {
 
@@ -145,8 +145,7 @@ std::string growth_law_table(const std::vector<LawFinding>& findings) {
     const std::string measured = is_power ? fixed(finding.measured.value, 3) + ' ' + interval : interval;
     table.add_row({with_parameters(finding.family->name, law.parameters),
                    with_parameters(law.algorithm, law.algorithm_parameters),
-                   std::to_string(finding.min_n) + ".." + std::to_string(finding.max_n),
-                   std::to_string(finding.sizes),
+                   std::to_string(finding.min_n) + ".." + std::to_string(finding.max_n), std::to_string(finding.sizes),
                    (is_power ? "exponent " : "alpha ") + interval_text(law.lowest, law.highest, is_power ? 2 : 4),
                    is_known ? measured : "-", std::string(name_of(finding.agreement))});
   }

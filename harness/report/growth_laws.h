@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/run/catalogue.h"
 #include "harness/records/records.h"
+#include "harness/run/catalogue.h"
 #include "harness/statistics/bootstrap.h"
 
 namespace mwt {

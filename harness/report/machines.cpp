@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "harness/run/machine/environment.h"
 #include "harness/io/text/text.h"
+#include "harness/run/machine/environment.h"
 #include "harness/tracking/machine_state.h"
 
 namespace mwt {

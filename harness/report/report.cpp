@@ -3,10 +3,10 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "harness/io/output_file.h"
 #include "harness/claims/claims.h"
-#include "harness/report/failures.h"
+#include "harness/io/output_file.h"
 #include "harness/rating/final_rating.h"
+#include "harness/report/failures.h"
 #include "harness/report/growth_laws.h"
 #include "harness/report/machines.h"
 #include "harness/report/summary_files.h"

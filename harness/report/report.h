@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "harness/records/results_folder.h"
 #include "harness/report/cell_summary.h"
 #include "harness/report/growth.h"
 #include "harness/report/labels.h"
-#include "harness/records/results_folder.h"
 
 namespace mwt {
 

@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "harness/io/testing/folder_testing.h"
-#include "harness/report/failures.h"
 #include "harness/rating/final_rating.h"
+#include "harness/report/failures.h"
 #include "harness/report/machines.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"

@@ -73,8 +73,8 @@ Columns<CellSummary> summary_columns() {
   add_statistic(columns, "alpha_mean", &Row::alpha_mean);
   add_statistic(columns, "alpha_median", &Row::alpha_median);
   add_statistic(columns, "alpha_p95", &Row::alpha_p95);
-  columns.emplace_back(
-      "alpha_max", [](const Row& row) { return row.cell.alphas.empty() ? "" : number_text(row.cell.max_alpha); });
+  columns.emplace_back("alpha_max",
+                       [](const Row& row) { return row.cell.alphas.empty() ? "" : number_text(row.cell.max_alpha); });
   columns.emplace_back("optimal_share", [](const Row& row) { return text_of(row.optimal_share); });
   columns.emplace_back("optimal_share_lower",
                        [](const Row& row) { return row.optimal_range ? number_text(row.optimal_range->lower) : ""; });
@@ -113,8 +113,7 @@ Columns<FittedMeasure> growth_columns() {
   columns.emplace_back("factor", [](const Row& row) { return number_text(std::exp(row.growth.law.log_factor.value)); });
   columns.emplace_back("r_squared", [](const Row& row) { return number_text(row.growth.law.r_squared); });
   columns.emplace_back("lack_of_fit_p", [](const Row& row) { return text_of(row.growth.lack_of_fit.p_value); });
-  columns.emplace_back("max_misfit",
-                       [](const Row& row) { return number_text(row.growth.lack_of_fit.max_misfit); });
+  columns.emplace_back("max_misfit", [](const Row& row) { return number_text(row.growth.lack_of_fit.max_misfit); });
   columns.emplace_back("fits", [](const Row& row) -> std::string {
     const Fit fit = row.growth.fit();
     return fit == Fit::untested ? "" : fit == Fit::yes ? "yes" : "no";

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "harness/io/text/aligned_table.h"
-#include "harness/statistics/quantile.h"
 #include "harness/io/text/text.h"
+#include "harness/statistics/quantile.h"
 
 namespace mwt {
 
@@ -157,8 +157,8 @@ std::string algorithm_table(const std::vector<Cell>& cells, const Labels& labels
 }
 
 std::string cell_tables(const std::vector<CellSummary>& cells, const Labels& labels) {
-  const bool has_delaunay_times = std::any_of(cells.begin(), cells.end(),
-                                          [](const CellSummary& summary) { return summary.over_delaunay.has_value(); });
+  const bool has_delaunay_times = std::any_of(
+      cells.begin(), cells.end(), [](const CellSummary& summary) { return summary.over_delaunay.has_value(); });
   std::vector<std::string> header = {"algorithm",  "n",   "runs",   "failed", "median time", "95%",
                                      "alpha mean", "95%", "median", "p95",    "max",         "optimal"};
   if (has_delaunay_times) header.push_back("time / Delaunay's");
@@ -166,7 +166,8 @@ std::string cell_tables(const std::vector<CellSummary>& cells, const Labels& lab
   for (const CellSummary& summary : cells) {
     if (summary.cell.runs == 0) continue;
     std::vector<std::string> row = cell_row(summary, labels);
-    if (has_delaunay_times) row.push_back(summary.over_delaunay ? fixed(summary.over_delaunay->estimate.value, 2) : kNothing);
+    if (has_delaunay_times)
+      row.push_back(summary.over_delaunay ? fixed(summary.over_delaunay->estimate.value, 2) : kNothing);
     tables.add_row(labels.family(summary.cell.key), std::move(row));
   }
   return tables.text();

@@ -3,9 +3,9 @@
 #include <new>
 
 #include "algorithms/registry.h"
+#include "base/error.h"
 #include "generators/generation.h"
 #include "generators/registry.h"
-#include "base/error.h"
 #include "harness/run/machine/proc_file.h"
 
 namespace mwt {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "algorithms/algorithm.h"
-#include "generators/generator.h"
 #include "base/error.h"
+#include "generators/generator.h"
 
 namespace mwt {
 

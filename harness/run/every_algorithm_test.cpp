@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "algorithms/registry.h"
+#include "base/error.h"
 #include "generators/registry.h"
 #include "geometry/checker.h"
-#include "base/error.h"
 #include "geometry/point_set.h"
 #include "geometry/weight.h"
 

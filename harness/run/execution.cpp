@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "base/cpu_clock.h"
 #include "geometry/checker.h"
 #include "geometry/convex_hull.h"
-#include "base/cpu_clock.h"
 #include "geometry/weight.h"
 #include "harness/run/machine/peak_memory.h"
 #include "harness/run/repeated_timing.h"

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/weight.h"
-#include "harness/run/testing/algorithms_testing.h"
 #include "harness/run/machine/peak_memory.h"
+#include "harness/run/testing/algorithms_testing.h"
 
 namespace mwt {
 namespace {

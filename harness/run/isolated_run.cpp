@@ -8,8 +8,8 @@ namespace mwt {
 
 namespace {
 
-// Checking and weighing take about a microsecond per point, the Delaunay time as much and at most half a second more; ten
-// times that, and a second for a machine under load.
+// Checking and weighing take about a microsecond per point, the Delaunay time as much and at most half a second more;
+// ten times that, and a second for a machine under load.
 double allowance_s(const Timing& timing, Index n) {
   const double once = 1e-5 * n;
   return 1 + once + (timing.delaunay_time ? 5 + once : 0);

@@ -4,11 +4,11 @@
 #include <functional>
 #include <memory>
 
-#include "harness/run/execution.h"
 #include "harness/records/records.h"
+#include "harness/run/execution.h"
 #include "harness/run/process_pool.h"
-#include "harness/study/study.h"
 #include "harness/run/worker.h"
+#include "harness/study/study.h"
 
 namespace mwt {
 

@@ -19,8 +19,8 @@
 #include <utility>
 #include <vector>
 
-#include "harness/run/machine/proc_file.h"
 #include "harness/io/text/text.h"
+#include "harness/run/machine/proc_file.h"
 
 namespace mwt {
 

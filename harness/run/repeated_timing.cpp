@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t kBatches = 5;
-constexpr double kMaxWallTime = 10;    // in units of the time to be filled
+constexpr double kMaxWallTime = 10;     // in units of the time to be filled
 constexpr double kShortestTime = 1e-9;  // s, for work that seems to take none
 
 /// Consecutive executions and what they took together.

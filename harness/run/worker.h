@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "harness/run/execution.h"
 #include "harness/records/records.h"
+#include "harness/run/execution.h"
 
 namespace mwt {
 
 /// How times are taken.
 struct Timing {
-  double min_time_s = 0.005;  ///< CPU time; shorter executions are repeated until they fill it
-  bool delaunay_time = false;     ///< whether the Delaunay time is measured too, after everything else
+  double min_time_s = 0.005;   ///< CPU time; shorter executions are repeated until they fill it
+  bool delaunay_time = false;  ///< whether the Delaunay time is measured too, after everything else
 };
 
 /// Executes, judges and fills in status, checker, message and the measures of `record`, whose other fields say what is

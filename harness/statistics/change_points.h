@@ -16,8 +16,8 @@
 // fewer): series with a false alarm, in 20,000: 0 for normal noise, 2 for Student's t with 3 and with 2 degrees of
 // freedom and for Laplace's, 9 for skewed noise (exponential), 0 for normal noise with 5% spikes; of autocorrelated
 // noise, 42 at an autocorrelation of 0.3, and 1,290 at 0.6, where a wandering level hardly differs from a stepping one.
-// A step of 3.3 times the noise was found in 73% of the series 6 nightly runs later and in 99% 16 nightly runs later, on the very
-// nightly run in 88%; one of 5 times in 93% 4 nightly runs later. A slow drift becomes a staircase.
+// A step of 3.3 times the noise was found in 73% of the series 6 nightly runs later and in 99% 16 nightly runs later,
+// on the very nightly run in 88%; one of 5 times in 93% 4 nightly runs later. A slow drift becomes a staircase.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ struct Step {
 };
 
 struct StepOptions {
-  double penalty = 24;     ///< for each step
-  double clip = 3;         ///< in units of the noise
+  double penalty = 24;   ///< for each step
+  double clip = 3;       ///< in units of the noise
   double min_noise = 0;  ///< the noise is taken to be at least this; 0 is fine unless most values are equal
 };
 

@@ -109,7 +109,8 @@ TEST(ChangePoints, ADriftBecomesAStaircaseInItsDirection) {
   int with_steps = 0;
   for (int i = 0; i < 100; ++i) {
     std::vector<double> series = noise_series(engine, kNightlyRuns, standard_normal);
-    for (std::size_t nightly_run = 0; nightly_run < kNightlyRuns; ++nightly_run) series[nightly_run] += 0.15 * static_cast<double>(nightly_run);
+    for (std::size_t nightly_run = 0; nightly_run < kNightlyRuns; ++nightly_run)
+      series[nightly_run] += 0.15 * static_cast<double>(nightly_run);
     const std::vector<Step> steps = find_steps(series);
     with_steps += !steps.empty();
     for (const Step& step : steps) EXPECT_GT(step.after, step.before);

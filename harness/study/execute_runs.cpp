@@ -5,10 +5,10 @@
 
 #include "base/error.h"
 #include "harness/io/given_triangulation.h"
-#include "harness/run/isolated_run.h"
-#include "harness/rating/optimum_search.h"
-#include "harness/study/study_session.h"
 #include "harness/io/text/text.h"
+#include "harness/rating/optimum_search.h"
+#include "harness/run/isolated_run.h"
+#include "harness/study/study_session.h"
 
 namespace mwt {
 

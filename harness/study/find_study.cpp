@@ -2,9 +2,9 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "harness/io/text/text.h"
 #include "harness/run/machine/build_info.h"
 #include "harness/study/study.h"
-#include "harness/io/text/text.h"
 
 namespace mwt {
 

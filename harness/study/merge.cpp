@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "harness/rating/known_optima.h"
-#include "harness/study/plan.h"
-#include "harness/records/results_folder.h"
 #include "harness/io/text/text.h"
+#include "harness/rating/known_optima.h"
+#include "harness/records/results_folder.h"
+#include "harness/study/plan.h"
 
 namespace mwt {
 

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "harness/run/testing/algorithms_testing.h"
 #include "harness/io/testing/folder_testing.h"
 #include "harness/records/testing/records_testing.h"
+#include "harness/run/testing/algorithms_testing.h"
 #include "harness/study/run_study.h"
 
 namespace mwt {

@@ -5,12 +5,12 @@
 #include <set>
 #include <utility>
 
-#include "generators/generation.h"
 #include "base/error.h"
-#include "harness/io/points/point_file.h"
+#include "generators/generation.h"
 #include "geometry/point_set.h"
-#include "harness/run/start_triangulation.h"
+#include "harness/io/points/point_file.h"
 #include "harness/io/text/text.h"
+#include "harness/run/start_triangulation.h"
 
 namespace mwt {
 

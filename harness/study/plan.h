@@ -32,7 +32,7 @@ struct PlannedRun {
   const AlgorithmInfo* algorithm = nullptr;
   Parameters parameters;
   int repetition = 0;
-  Index max_n = 0;                      ///< beyond it the run is recorded as not_applicable without being started
+  Index max_n = 0;                          ///< beyond it the run is recorded as not_applicable without being started
   std::optional<std::string> start_file{};  ///< path of the triangulation to start from
   std::string run_id;  ///< hash of study name, instance, algorithm, parameters, repetition and the content of the files
                        ///< that these name: the same on every machine

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "base/error.h"
-#include "harness/run/testing/algorithms_testing.h"
 #include "harness/io/testing/folder_testing.h"
+#include "harness/run/testing/algorithms_testing.h"
 
 namespace mwt {
 namespace {

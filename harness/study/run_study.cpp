@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "harness/rating/optimum_search.h"
+#include "harness/run/interrupt.h"
 #include "harness/run/machine/environment.h"
 #include "harness/run/machine/machine_watch.h"
-#include "harness/run/interrupt.h"
-#include "harness/rating/optimum_search.h"
 #include "harness/study/study_session.h"
 
 namespace mwt {

@@ -19,10 +19,10 @@
 #include "algorithms/sweep/sweep.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "harness/run/testing/algorithms_testing.h"
 #include "harness/io/testing/folder_testing.h"
 #include "harness/rating/optimum_cache.h"
 #include "harness/records/results_folder.h"
+#include "harness/run/testing/algorithms_testing.h"
 
 namespace mwt {
 namespace {

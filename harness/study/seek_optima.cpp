@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "harness/rating/quality.h"
-#include "harness/rating/optimum_search.h"
-#include "harness/study/study_session.h"
 #include "harness/io/text/text.h"
+#include "harness/rating/optimum_search.h"
+#include "harness/rating/quality.h"
+#include "harness/study/study_session.h"
 
 namespace mwt {
 

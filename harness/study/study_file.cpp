@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "harness/io/input_file.h"
 #include "base/number_text.h"
-#include "harness/study/study.h"
+#include "harness/io/input_file.h"
 #include "harness/io/text/text.h"
+#include "harness/study/study.h"
 
 namespace mwt {
 
@@ -85,8 +85,7 @@ class TableReader {
 
   void read_count(const std::string& key, int& value) {
     read_integer(key, 1, [&](std::int64_t count) {
-      if (count > kMaxCount)
-        fail(*table_.get(key), "'" + key + "' must be at most " + std::to_string(kMaxCount));
+      if (count > kMaxCount) fail(*table_.get(key), "'" + key + "' must be at most " + std::to_string(kMaxCount));
       value = static_cast<int>(count);
     });
   }

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "harness/run/machine/environment.h"
 #include "harness/run/interrupt.h"
+#include "harness/run/machine/environment.h"
 
 namespace mwt {
 

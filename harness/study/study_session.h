@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "harness/run/execution.h"
-#include "harness/rating/optimum_cache.h"
 #include "harness/io/progress.h"
 #include "harness/rating/known_optima.h"
-#include "harness/study/plan.h"
-#include "harness/run/process_pool.h"
+#include "harness/rating/optimum_cache.h"
 #include "harness/records/results_folder.h"
+#include "harness/run/execution.h"
+#include "harness/run/process_pool.h"
+#include "harness/study/plan.h"
 #include "harness/study/run_study.h"
 
 namespace mwt {

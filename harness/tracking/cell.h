@@ -1,4 +1,5 @@
-// A cell of a study: one algorithm with its parameters on one instance. What is compared, and followed over the nightly runs.
+// A cell of a study: one algorithm with its parameters on one instance. What is compared, and followed over the nightly
+// runs.
 #pragma once
 
 #include <compare>

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "harness/statistics/quantile.h"
 #include "harness/io/text/text.h"
+#include "harness/statistics/quantile.h"
 
 namespace mwt {
 
@@ -17,8 +17,8 @@ std::optional<double> if_ok(const RunRecord& run, const std::optional<double>& v
   return run.status == RunStatus::ok ? value : std::nullopt;
 }
 
-/// CPU time where one thread is allowed: what other programs took is not in it. The Delaunay time, a median of short runs,
-/// has hardly any of it either.
+/// CPU time where one thread is allowed: what other programs took is not in it. The Delaunay time, a median of short
+/// runs, has hardly any of it either.
 double undisturbed_time(const RunRecord& run) {
   return run.threads == 1 && run.cpu_time_s > 0.0 ? *run.cpu_time_s : *run.wall_time_s;
 }

@@ -24,10 +24,11 @@ struct Measure {
   std::function<std::optional<double>(const RunRecord&)> of;
 };
 
-/// relative_time (time / that of the Delaunay time in the same run; CPU time if one thread was allowed, else wall time),
-/// wall_time_s, cpu_time_s, peak_rss_bytes, alpha (its upper end, where the optimum is proved), weight (the middle of
-/// its certified interval), failures (1 if it failed). Times, memory, alpha and weight exist for successful runs only,
-/// alpha and weight not for those that were stopped early: these need not be repeatable. A CPU time of 0 is none.
+/// relative_time (time / that of the Delaunay time in the same run; CPU time if one thread was allowed, else wall
+/// time), wall_time_s, cpu_time_s, peak_rss_bytes, alpha (its upper end, where the optimum is proved), weight (the
+/// middle of its certified interval), failures (1 if it failed). Times, memory, alpha and weight exist for successful
+/// runs only, alpha and weight not for those that were stopped early: these need not be repeatable. A CPU time of 0 is
+/// none.
 [[nodiscard]] std::span<const Measure> measures();
 
 /// Throws InputError listing the known names.

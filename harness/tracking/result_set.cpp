@@ -1,6 +1,7 @@
 #include "harness/tracking/result_set.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -13,12 +14,24 @@ namespace mwt {
 
 namespace {
 
+// Names of schema versions 1 and 2.
+constexpr std::array<std::pair<const char*, const char*>, 3> kRenamed = {
+    {{"yardstick_time_s", "delaunay_time_s"}, {"greedy_report", "greedy_naive"}, {"flip_report", "flip_naive"}}};
+
+std::string present_name(const std::string& name) {
+  for (const auto& [old, present] : kRenamed) {
+    if (name == old) return present;
+  }
+  return name;
+}
+
 /// For every known column its place in the file's header, or none.
 template <class Record>
 std::vector<std::optional<std::size_t>> places_of(const std::vector<Column<Record>>& columns, const CsvRow& header) {
   std::vector<std::optional<std::size_t>> places;
   for (const Column<Record>& column : columns) {
-    const auto found = std::find(header.begin(), header.end(), column.name);
+    const auto found = std::find_if(header.begin(), header.end(),
+                                    [&](const std::string& name) { return present_name(name) == column.name; });
     places.push_back(found == header.end() ? std::nullopt : std::optional(found - header.begin()));
   }
   return places;
@@ -114,6 +127,7 @@ ResultSet read_results(const std::string& folder) {
   Table<RunRecord> runs = read_table((path / "runs.csv").string(), run_columns(), kFirstRunColumns,
                                      {"algorithm", "params", "generator", "n", "seed", "status", "git_commit"});
   results.runs = std::move(runs.records);
+  for (RunRecord& run : results.runs) run.algorithm = present_name(run.algorithm);
   results.schema_version = runs.schema_version;
   results.has_ticking_clock = std::any_of(results.runs.begin(), results.runs.end(), shows_ticks);
   const std::string study_file = (path / "study.toml").string();

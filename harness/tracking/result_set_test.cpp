@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/error.h"
-#include "harness/io/text/csv.h"
 #include "harness/io/testing/folder_testing.h"
+#include "harness/io/text/csv.h"
 #include "harness/tracking/history/nightly_run.h"
 #include "harness/tracking/testing/synthetic_nightly_runs.h"
 
@@ -53,6 +53,19 @@ TEST(ResultSet, ReadsOtherVersionsByTheNamesOfColumns) {
   ASSERT_EQ(nightly_runs.size(), 1u);
   EXPECT_EQ(nightly_runs[0].machine, "unknown");
   EXPECT_EQ(nightly_runs[0].values.size(), 3u) << "two cells with failures, one with a time";
+}
+
+TEST(ResultSet, OldNamesBecomeThePresentOnes) {
+  const TestFolder folder;
+  write_text(folder.path("runs.csv"),
+             "schema_version,algorithm,params,generator,n,seed,status,git_commit,yardstick_time_s\n"
+             "2,greedy_report,,uniform,10,1,ok,a,0.25\n"
+             "2,flip_report,,uniform,10,1,ok,a,0.5\n");
+  const ResultSet results = read_results(folder.path(""));
+  ASSERT_EQ(results.runs.size(), 2u);
+  EXPECT_EQ(results.runs[0].algorithm, "greedy_naive");
+  EXPECT_EQ(results.runs[1].algorithm, "flip_naive");
+  EXPECT_EQ(results.runs[0].delaunay_time_s, 0.25);
 }
 
 TEST(ResultSet, ComplaintsNameTheLine) {

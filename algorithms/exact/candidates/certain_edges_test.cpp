@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <random>
 
-#include "algorithms/exact/testing/stage_testing.h"
 #include "algorithms/common/testing/solver_testing.h"
+#include "algorithms/exact/testing/stage_testing.h"
 #include "geometry/predicates.h"
 
 namespace mwt {

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "algorithms/exact/testing/stage_testing.h"
-#include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/common/testing/extreme_points.h"
-#include "geometry/predicates.h"
+#include "algorithms/common/testing/solver_testing.h"
+#include "algorithms/exact/testing/stage_testing.h"
 #include "geometry/numbers/scaling.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 namespace {

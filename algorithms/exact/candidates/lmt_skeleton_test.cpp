@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/common/testing/extreme_points.h"
+#include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/naive_candidates.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/testing/stage_testing.h"
-#include "algorithms/common/testing/solver_testing.h"
-#include "algorithms/common/testing/extreme_points.h"
 #include "geometry/numbers/scaling.h"
 
 namespace mwt {

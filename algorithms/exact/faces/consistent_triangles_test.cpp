@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "algorithms/exact/testing/stage_testing.h"
 #include "algorithms/common/testing/solver_testing.h"
+#include "algorithms/exact/testing/stage_testing.h"
 #include "algorithms/triangle_lp/empty_triangles.h"
 #include "geometry/predicates.h"
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <random>
 
+#include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
-#include "algorithms/common/testing/solver_testing.h"
 #include "geometry/checker.h"
 
 namespace mwt {

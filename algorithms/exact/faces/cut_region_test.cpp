@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
-#include "algorithms/common/testing/solver_testing.h"
 
 namespace mwt {
 namespace {

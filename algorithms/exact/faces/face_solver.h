@@ -18,7 +18,7 @@ struct FaceSolution {
   bool proved = false;              ///< every face solved and relative width of `optimum` at most 1e-12
 
   std::uint64_t faces = 0;                ///< that are no triangles
-  std::uint64_t max_face = 0;         ///< edges on the longest boundary walk, both sides of slits counted
+  std::uint64_t max_face = 0;             ///< edges on the longest boundary walk, both sides of slits counted
   std::uint64_t dp_cells = 0;             ///< intervals whose optimum was computed
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums of roots that doubles could not decide
   std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart

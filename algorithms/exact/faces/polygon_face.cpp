@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "algorithms/exact/faces/length_sum_comparison.h"
-#include "geometry/predicates.h"
 #include "geometry/numbers/trusted_range.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 

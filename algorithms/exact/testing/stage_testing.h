@@ -9,9 +9,9 @@
 #include "algorithms/exact/candidates/diamond_candidates.h"
 #include "algorithms/exact/candidates/kd_order.h"
 #include "algorithms/exact/candidates/lmt_skeleton.h"
+#include "base/error.h"
 #include "generators/registry.h"
 #include "geometry/convex_hull.h"
-#include "base/error.h"
 #include "geometry/point_set.h"
 #include "geometry/triangulation.h"
 

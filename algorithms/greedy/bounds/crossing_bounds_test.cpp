@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "algorithms/common/testing/extreme_points.h"
 #include "algorithms/greedy/certified_edges.h"
 #include "algorithms/greedy/testing/greedy_testing.h"
-#include "algorithms/common/testing/extreme_points.h"
 
 namespace mwt {
 

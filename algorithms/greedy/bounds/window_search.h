@@ -34,7 +34,7 @@ class WindowSearch {
   const PlanarMesh& mesh_;
   std::size_t steps_ = 0;
   double squared_ = 0;
-  Point c_{}, from_{}, to_{};                     // the viewer and the ends of the first window
+  Point c_{}, from_{}, to_{};                    // the viewer and the ends of the first window
   std::array<Halfedge, kMaxWindows> windows_{};  // still to be looked through, away from c
   std::size_t count_ = 0;
 };

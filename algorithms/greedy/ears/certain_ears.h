@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "algorithms/algorithm.h"
+#include "algorithms/greedy/boundary/face_boundary.h"
 #include "algorithms/greedy/ears/ear_insertion.h"
 #include "algorithms/greedy/ears/ear_search.h"
-#include "algorithms/greedy/boundary/face_boundary.h"
-#include "algorithms/greedy/faces/fixed_stars.h"
 #include "algorithms/greedy/ears/pockets.h"
+#include "algorithms/greedy/faces/fixed_stars.h"
 
 namespace mwt {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "geometry/mesh/distance.h"
-#include "geometry/predicates.h"
 #include "geometry/numbers/trusted_range.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 

@@ -4,8 +4,8 @@
 
 #include "algorithms/greedy/greedy_marks.h"
 #include "geometry/mesh/distance.h"
-#include "geometry/predicates.h"
 #include "geometry/numbers/trusted_range.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 

@@ -10,8 +10,8 @@
 #include "algorithms/greedy/certified_edges.h"
 #include "algorithms/greedy/greedy_builder.h"
 #include "algorithms/greedy/testing/greedy_testing.h"
-#include "geometry/mesh/in_circle.h"
 #include "geometry/checker.h"
+#include "geometry/mesh/in_circle.h"
 
 namespace mwt {
 

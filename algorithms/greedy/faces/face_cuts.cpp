@@ -1,8 +1,8 @@
 #include "algorithms/greedy/faces/face_cuts.h"
 
 #include "geometry/mesh/distance.h"
-#include "geometry/predicates.h"
 #include "geometry/numbers/trusted_range.h"
+#include "geometry/predicates.h"
 
 namespace mwt {
 

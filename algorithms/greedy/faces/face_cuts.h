@@ -4,9 +4,9 @@
 #include <optional>
 #include <span>
 
+#include "algorithms/greedy/bounds/window_search.h"
 #include "algorithms/greedy/greedy_marks.h"
 #include "algorithms/greedy/wedge.h"
-#include "algorithms/greedy/bounds/window_search.h"
 #include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {

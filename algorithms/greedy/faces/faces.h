@@ -7,8 +7,8 @@
 #include <span>
 
 #include "algorithms/algorithm.h"
-#include "algorithms/greedy/ears/certain_ears.h"
 #include "algorithms/greedy/bounds/crossing_bounds.h"
+#include "algorithms/greedy/ears/certain_ears.h"
 #include "algorithms/greedy/ears/ear_insertion.h"
 #include "algorithms/greedy/faces/face_cuts.h"
 #include "algorithms/greedy/faces/fixed_stars.h"

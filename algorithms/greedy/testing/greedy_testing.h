@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "algorithms/registry.h"
-#include "generators/registry.h"
 #include "base/error.h"
+#include "generators/registry.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/point_set.h"
 
 namespace mwt::test {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <set>
 
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/convex_hull.h"
+#include "geometry/mesh/testing/shapes_for_tests.h"
 
 namespace mwt::test {
 

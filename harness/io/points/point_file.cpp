@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "harness/io/input_file.h"
 #include "base/number_text.h"
+#include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
 #include "harness/io/points/point_formats.h"
 #include "harness/io/text/text_file.h"

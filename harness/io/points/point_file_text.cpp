@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "harness/io/text/cell_text.h"
 #include "base/number_text.h"
 #include "harness/io/points/point_formats.h"
+#include "harness/io/text/cell_text.h"
 #include "harness/io/text/text_table.h"
 
 namespace mwt {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <optional>
 
-#include "harness/io/text/cell_text.h"
 #include "base/number_text.h"
 #include "harness/io/points/point_formats.h"
+#include "harness/io/text/cell_text.h"
 #include "harness/io/text/text_lines.h"
 
 namespace mwt {

@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "harness/io/points/point_formats.h"
 #include "base/testing/test_folder.h"
+#include "harness/io/points/point_formats.h"
 #include "harness/io/text/text_file.h"
 #include "harness/io/triangulation_file.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/number_text.h"
-#include "harness/io/text/text_lines.h"
 #include "base/unicode.h"
+#include "harness/io/text/text_lines.h"
 
 namespace mwt {
 

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "harness/io/input_file.h"
 #include "base/unicode.h"
+#include "harness/io/input_file.h"
 
 namespace mwt {
 

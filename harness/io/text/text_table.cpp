@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "harness/io/text/cell_text.h"
 #include "base/number_text.h"
+#include "harness/io/text/cell_text.h"
 
 namespace mwt {
 

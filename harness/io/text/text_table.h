@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "harness/io/text/line_splitter.h"
 #include "geometry/point.h"
+#include "harness/io/text/line_splitter.h"
 #include "harness/io/text/text_lines.h"
 
 namespace mwt {

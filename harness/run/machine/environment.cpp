@@ -6,10 +6,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "harness/io/text/text.h"
 #include "harness/run/machine/build_info.h"
 #include "harness/run/machine/machine_watch.h"
 #include "harness/run/machine/proc_file.h"
-#include "harness/io/text/text.h"
 
 namespace mwt {
 

@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "harness/run/machine/proc_file.h"
 #include "harness/io/text/text.h"
+#include "harness/run/machine/proc_file.h"
 
 namespace mwt {
 

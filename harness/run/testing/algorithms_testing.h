@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "generators/registry.h"
 #include "geometry/delaunay.h"
-#include "base/error.h"
 #include "geometry/weight.h"
 #include "harness/run/catalogue.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "harness/study/estimate/estimate.h"
 #include "harness/run/isolated_run.h"
+#include "harness/study/estimate/estimate.h"
 
 namespace mwt {
 

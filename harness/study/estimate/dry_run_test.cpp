@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "harness/run/testing/algorithms_testing.h"
 #include "harness/io/testing/folder_testing.h"
+#include "harness/run/testing/algorithms_testing.h"
 #include "harness/study/estimate/estimate.h"
 
 namespace mwt {

@@ -5,8 +5,8 @@
 #include <tuple>
 #include <utility>
 
-#include "harness/rating/optimum_search.h"
 #include "harness/io/text/text.h"
+#include "harness/rating/optimum_search.h"
 
 namespace mwt {
 

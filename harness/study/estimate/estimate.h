@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "harness/run/catalogue.h"
-#include "harness/study/plan.h"
 #include "harness/study/estimate/time_model.h"
+#include "harness/study/plan.h"
 
 namespace mwt {
 

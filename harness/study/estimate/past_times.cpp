@@ -6,9 +6,9 @@
 #include <set>
 
 #include "base/error.h"
+#include "harness/io/text/text.h"
 #include "harness/rating/quality.h"
 #include "harness/records/results_folder.h"
-#include "harness/io/text/text.h"
 
 namespace mwt {
 

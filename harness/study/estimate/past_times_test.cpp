@@ -72,7 +72,8 @@ TEST(PastTimes, AreThoseOfAnyStudyOnThisMachine) {
   EXPECT_EQ(model.predict({"flip order=best", "uniform", 30}, 60).low, 10);
   EXPECT_EQ(predicted(model, "exact", 10), 3);
   EXPECT_EQ(predicted(model, "exact", 20), -1) << "a look-up in the cache tells nothing";
-  EXPECT_EQ(add_past_times(model, {folder.path("results/nightly/one")}, machine("here"), 2).runs, 0u) << "other threads";
+  EXPECT_EQ(add_past_times(model, {folder.path("results/nightly/one")}, machine("here"), 2).runs, 0u)
+      << "other threads";
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "base/error.h"
+#include "harness/io/text/text.h"
 #include "harness/statistics/quantile.h"
 #include "harness/statistics/shift.h"
-#include "harness/io/text/text.h"
 #include "harness/tracking/machine_state.h"
 
 namespace mwt {

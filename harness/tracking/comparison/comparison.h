@@ -13,7 +13,8 @@
 //   repetitions of one folder. A cell must therefore also stand out from the other cells' ratios (Student's t with 3
 //   degrees of freedom, for they have heavy tails, and with their robust standard deviation); an algorithm's
 //   observations are its cells, and they must also be slower than the cells of the other algorithms. What slows
-//   everything shows in the row of all algorithms, which is judged only where the Delaunay time was measured in each run.
+//   everything shows in the row of all algorithms, which is judged only where the Delaunay time was measured in each
+//   run.
 //
 // What is no regression is not the same for that: a row is `same` or `not slower` only if "slower by more than the
 // threshold" is excluded, by its interval and by an exact rank test at `error_rate`; whatever is open is `unclear`. Two
@@ -30,8 +31,8 @@
 #include <vector>
 
 #include "harness/tracking/comparison/exact_findings.h"
-#include "harness/tracking/result_set.h"
 #include "harness/tracking/comparison/time_table.h"
+#include "harness/tracking/result_set.h"
 
 namespace mwt {
 
@@ -46,8 +47,9 @@ enum class Outcome {
 
 struct Comparison {
   CompareOptions options;
-  std::string time_measure;        ///< what was compared; empty if no times were
-  std::vector<std::string> notes;  ///< what the reader must know: refusals, cells of one side only, load, no Delaunay time
+  std::string time_measure;  ///< what was compared; empty if no times were
+  std::vector<std::string>
+      notes;  ///< what the reader must know: refusals, cells of one side only, load, no Delaunay time
   std::vector<TimeRow> algorithms;
   std::vector<TimeRow> cells;
   std::vector<ExactFinding> findings;

@@ -17,7 +17,8 @@ using testing::Tamper;
 
 constexpr std::uint64_t kSeed = 1;
 
-ResultSet results_of(const SyntheticStudy& study, int nightly_run, const Tamper& tamper = {}, std::uint64_t seed = kSeed) {
+ResultSet results_of(const SyntheticStudy& study, int nightly_run, const Tamper& tamper = {},
+                     std::uint64_t seed = kSeed) {
   return {"night" + std::to_string(nightly_run),
           testing::synthetic_runs(study, nightly_run, seed, tamper),
           {testing::synthetic_environment()}};
@@ -300,8 +301,8 @@ TEST(Compare, ASlowdownThatIsNotExcludedIsNeverTheSame) {
       if (nightly_run == 1 && run.algorithm == "flip") *run.wall_time_s *= factor;
     };
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-      const Comparison comparison =
-          compare(results_of(small_nightly_run(), 0, slow_flip, seed), results_of(small_nightly_run(), 1, slow_flip, seed), {});
+      const Comparison comparison = compare(results_of(small_nightly_run(), 0, slow_flip, seed),
+                                            results_of(small_nightly_run(), 1, slow_flip, seed), {});
       const Verdict flip = row_of(comparison.algorithms, "flip").verdict;
       EXPECT_TRUE(flip == Verdict::unclear || flip == Verdict::regression) << factor << ' ' << seed;
       EXPECT_NE(comparison.outcome(), Outcome::not_slower);

@@ -8,19 +8,19 @@
 #include <utility>
 #include <vector>
 
-#include "generators/random.h"
 #include "base/error.h"
-#include "harness/io/input_file.h"
 #include "base/number_text.h"
-#include "harness/io/output_file.h"
+#include "generators/random.h"
 #include "harness/cli/command_line.h"
+#include "harness/io/input_file.h"
+#include "harness/io/output_file.h"
 #include "harness/io/progress.h"
+#include "harness/io/text/text.h"
+#include "harness/records/results_folder.h"
 #include "harness/run/interrupt.h"
 #include "harness/study/plan.h"
-#include "harness/records/results_folder.h"
-#include "harness/io/text/text.h"
-#include "harness/tracking/result_set.h"
 #include "harness/tracking/comparison/run_program.h"
+#include "harness/tracking/result_set.h"
 
 namespace mwt {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <tuple>
 
+#include "harness/io/text/text.h"
 #include "harness/statistics/change_points.h"
 #include "harness/statistics/quantile.h"
-#include "harness/io/text/text.h"
 
 namespace mwt {
 
@@ -59,8 +59,8 @@ std::vector<SeriesStep> series_steps(const Series& series, Aspect aspect, const 
     const std::size_t begin = i == 0 ? 0 : found[i - 1].first;
     const std::size_t end = i + 1 < found.size() ? found[i + 1].first : series.values.size();
     const std::size_t first = found[i].first;
-    const SeriesStep step{series.key, series.nightly_runs[first], series.nightly_runs[first - 1], level(series, begin, first),
-                          level(series, first, end)};
+    const SeriesStep step{series.key, series.nightly_runs[first], series.nightly_runs[first - 1],
+                          level(series, begin, first), level(series, first, end)};
     if (is_worth_telling(step, aspect, options)) steps.push_back(step);
   }
   return steps;
@@ -105,7 +105,8 @@ void choose_nightly_run(Change& change) {
       std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   change.nightly_run = chosen->first;
   for (const SeriesStep& step : change.steps) {
-    if (step.nightly_run == change.nightly_run) change.previous_nightly_run = std::max(change.previous_nightly_run, step.previous_nightly_run);
+    if (step.nightly_run == change.nightly_run)
+      change.previous_nightly_run = std::max(change.previous_nightly_run, step.previous_nightly_run);
   }
 }
 
@@ -166,7 +167,8 @@ std::vector<Change> find_changes(const std::vector<NightlyRun>& nightly_runs, co
     for (auto& group : groups_in_time(steps)) changes.push_back(change_of(key, std::move(group)));
   }
   std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
-    return std::tuple(a.nightly_run, !a.is_regression, a.algorithm) < std::tuple(b.nightly_run, !b.is_regression, b.algorithm);
+    return std::tuple(a.nightly_run, !a.is_regression, a.algorithm) <
+           std::tuple(b.nightly_run, !b.is_regression, b.algorithm);
   });
   return changes;
 }
@@ -175,7 +177,8 @@ std::string describe(const Change& change, const std::vector<NightlyRun>& nightl
   const NightlyRun& nightly_run = nightly_runs[change.nightly_run];
   return nightly_run.recorded_at.substr(0, 10) + ' ' + (change.is_regression ? "regression " : "improvement ") +
          change.algorithm + ": " + name_of(change.aspect) + ' ' + amount(change) + " on " + where(change) + " (" +
-         short_commit(nightly_runs[change.previous_nightly_run].git_commit) + ".." + short_commit(nightly_run.git_commit) + ")";
+         short_commit(nightly_runs[change.previous_nightly_run].git_commit) + ".." +
+         short_commit(nightly_run.git_commit) + ")";
 }
 
 }  // namespace mwt

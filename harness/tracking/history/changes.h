@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/tracking/measures.h"
 #include "harness/tracking/history/series.h"
+#include "harness/tracking/measures.h"
 
 namespace mwt {
 
@@ -29,7 +29,7 @@ struct Change {
   bool is_regression = false;
   std::size_t nightly_run = 0;           ///< that of most of the steps, the earlier one of two
   std::size_t previous_nightly_run = 0;  ///< the last one before
-  double factor = 1;               ///< geometric mean of after / before; for failures the mean of after - before
+  double factor = 1;                     ///< geometric mean of after / before; for failures the mean of after - before
   std::vector<SeriesStep> steps;
 };
 
@@ -39,8 +39,10 @@ struct ChangeOptions {
 
 /// Times and memory step as in find_steps() (on logarithms), quality and failures as in find_exact_steps(), where
 /// relative differences of quality below 1e-9 are none. Times are relative_time where a study has it, else wall_time_s.
-/// Steps that are at most two nightly runs apart make one change. Ordered by nightly run, then regressions first, then by name.
-[[nodiscard]] std::vector<Change> find_changes(const std::vector<NightlyRun>& nightly_runs, const ChangeOptions& options = {});
+/// Steps that are at most two nightly runs apart make one change. Ordered by nightly run, then regressions first, then
+/// by name.
+[[nodiscard]] std::vector<Change> find_changes(const std::vector<NightlyRun>& nightly_runs,
+                                               const ChangeOptions& options = {});
 
 /// "2026-01-31 greedy: time x1.10 on uniform n=100, ... (abc1234..def5678)", one line each.
 [[nodiscard]] std::string describe(const Change& change, const std::vector<NightlyRun>& nightly_runs);

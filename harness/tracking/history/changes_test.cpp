@@ -14,7 +14,7 @@ using testing::SyntheticStudy;
 using testing::TestFolder;
 
 std::vector<NightlyRun> synthetic_nightly_runs(int count, std::uint64_t seed, const testing::Tamper& tamper = {},
-                                    const SyntheticStudy& study = {}) {
+                                               const SyntheticStudy& study = {}) {
   std::vector<NightlyRun> nightly_runs;
   for (int nightly_run = 0; nightly_run < count; ++nightly_run) {
     const ResultSet results{
@@ -24,9 +24,9 @@ std::vector<NightlyRun> synthetic_nightly_runs(int count, std::uint64_t seed, co
   return nightly_runs;
 }
 
-// 40 nightly runs, in times noise of 3%; from nightly run 25 on (counted from 0) one algorithm takes 10% longer, another a fifth
-// more memory, a third is a tenth of a percent heavier on one family; and one nightly run everything takes half as long
-// again.
+// 40 nightly runs, in times noise of 3%; from nightly run 25 on (counted from 0) one algorithm takes 10% longer,
+// another a fifth more memory, a third is a tenth of a percent heavier on one family; and one nightly run everything
+// takes half as long again.
 void make_worse(int nightly_run, RunRecord& run, RandomEngine&) {
   if (nightly_run == 13) *run.wall_time_s *= 1.5;
   if (nightly_run < 25) return;
@@ -59,9 +59,11 @@ TEST(Changes, FortyNightsWithThreeRegressionsASpikeAndNoise) {
     const std::string results = folder.path(std::to_string(nightly_run));
     testing::write_synthetic_nightly_run(results, testing::synthetic_runs({}, nightly_run, 1, make_worse));
     History history(folder.path("history.sqlite"), History::Mode::write);
-    for (const NightlyRun& one : nightly_runs_of(read_results(results))) EXPECT_EQ(history.add(one), History::Added::as_new);
+    for (const NightlyRun& one : nightly_runs_of(read_results(results)))
+      EXPECT_EQ(history.add(one), History::Added::as_new);
   }
-  const std::vector<NightlyRun> nightly_runs = History(folder.path("history.sqlite"), History::Mode::read).nightly_runs();
+  const std::vector<NightlyRun> nightly_runs =
+      History(folder.path("history.sqlite"), History::Mode::read).nightly_runs();
   ASSERT_EQ(nightly_runs.size(), 40u);
   const std::vector<Change> changes = find_changes(nightly_runs);
   expect_exactly_the_three(changes, nightly_runs);

@@ -158,7 +158,8 @@ std::vector<NightlyValue> sorted(std::vector<NightlyValue> values) {
     return std::tie(v.cell.algorithm, v.cell.params, v.cell.generator, v.cell.generator_params, v.cell.n, v.cell.seed,
                     v.cell.threads, v.measure);
   };
-  std::sort(values.begin(), values.end(), [&](const NightlyValue& a, const NightlyValue& b) { return key(a) < key(b); });
+  std::sort(values.begin(), values.end(),
+            [&](const NightlyValue& a, const NightlyValue& b) { return key(a) < key(b); });
   return values;
 }
 
@@ -178,7 +179,8 @@ class NightlyRunWriter {
         add_value_(path, database, "INSERT INTO value VALUES (?, ?, ?, ?, ?)") {}
 
   void write(std::int64_t nightly_run, const NightlyValue& value) {
-    add_value_.bind(nightly_run, id_of(value.cell), value.measure, value.value, static_cast<std::int64_t>(value.runs)).step();
+    add_value_.bind(nightly_run, id_of(value.cell), value.measure, value.value, static_cast<std::int64_t>(value.runs))
+        .step();
   }
 
  private:
@@ -250,7 +252,9 @@ void History::renew() {
 bool History::adopt_old_nightly_run(const NightlyRun& nightly_run, const std::vector<NightlyValue>& values) {
   Statement find(path_, database_,
                  "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ''");
-  if (nightly_run.configuration.empty() || !find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study).step()) return false;
+  if (nightly_run.configuration.empty() ||
+      !find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study).step())
+    return false;
   if (!same_values(values_of_nightly_run(path_, database_, find.integer(0)), values)) return false;
   Statement(path_, database_, "UPDATE night SET configuration = ? WHERE id = ?")
       .bind(nightly_run.configuration, find.integer(0))
@@ -261,7 +265,8 @@ bool History::adopt_old_nightly_run(const NightlyRun& nightly_run, const std::ve
 bool History::has_other_configuration(const NightlyRun& nightly_run) const {
   Statement find(path_, database_,
                  "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration <> ?");
-  return find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration).step();
+  return find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration)
+      .step();
 }
 
 void History::write_values(std::int64_t id, const std::vector<NightlyValue>& values) {
@@ -290,7 +295,8 @@ History::Added History::add(const NightlyRun& nightly_run) {
   } else {
     added = has_other_configuration(nightly_run) ? Added::as_another : Added::as_new;
     Statement(path_, database_, "INSERT INTO night VALUES (NULL, ?, ?, ?, ?, ?, ?)")
-        .bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration, nightly_run.machine, nightly_run.recorded_at)
+        .bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration,
+              nightly_run.machine, nightly_run.recorded_at)
         .step();
     write_values(sqlite3_last_insert_rowid(database_), values);
   }
@@ -306,7 +312,7 @@ std::vector<NightlyRun> History::nightly_runs() const {
   std::vector<NightlyRun> nightly_runs;
   while (rows.step()) {
     nightly_runs.push_back({rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5), rows.text(6),
-                      values_of_nightly_run(path_, database_, rows.integer(0))});
+                            values_of_nightly_run(path_, database_, rows.integer(0))});
   }
   return nightly_runs;
 }

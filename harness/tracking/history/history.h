@@ -11,8 +11,9 @@ struct sqlite3;
 
 namespace mwt {
 
-/// Tables: nightly run (git_commit, environment, study, configuration, machine, recorded_at), cell, value (of a nightly run, a cell
-/// and a measure). A history of version 1, without configurations, becomes one of this version when it is opened.
+/// Tables: nightly run (git_commit, environment, study, configuration, machine, recorded_at), cell, value (of a nightly
+/// run, a cell and a measure). A history of version 1, without configurations, becomes one of this version when it is
+/// opened.
 ///
 /// A nightly run is added in one transaction: whatever kills the program leaves all of it or nothing (SQLite's rollback
 /// journal, synchronous = FULL). Any number of processes may use one history; who finds it locked waits up to 30 s.
@@ -30,10 +31,10 @@ class History {
 
   enum class Added { as_new, as_another, unchanged, replaced, outdated };
 
-  /// There is one nightly run per commit, environment, study and configuration: the same again changes nothing; other values
-  /// for it replace those that were there (a nightly run that was repeated or has gone on) unless they are older, so that the
-  /// order in which folders are tracked does not matter. A changed study of the same name is another nightly run
-  /// (as_another), beside the one that was there.
+  /// There is one nightly run per commit, environment, study and configuration: the same again changes nothing; other
+  /// values for it replace those that were there (a nightly run that was repeated or has gone on) unless they are
+  /// older, so that the order in which folders are tracked does not matter. A changed study of the same name is another
+  /// nightly run (as_another), beside the one that was there.
   Added add(const NightlyRun& nightly_run);
 
   /// All nightly runs in the order of time, ties in that of their commits; values ordered by cell and measure.

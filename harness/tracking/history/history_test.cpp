@@ -19,7 +19,7 @@ using testing::write_text;
 
 NightlyRun small_nightly_run(int number) {
   NightlyRun nightly_run{testing::synthetic_commit(number),        "env", "Abacus", "nightly", "c",
-              "2026-01-" + std::to_string(10 + number), {}};
+                         "2026-01-" + std::to_string(10 + number), {}};
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
     nightly_run.values.push_back({{"greedy", "k=1", "uniform", "", 100, seed, 1}, "wall_time_s", 0.1 * number, 3});
   nightly_run.values.push_back({{"flip", "", "uniform", "", 100, ~std::uint64_t{0}, 2}, "failures", 0.5, 2});
@@ -46,7 +46,8 @@ TEST_F(HistoryFile, GivesBackWhatItGot) {
   const std::vector<NightlyRun> nightly_runs = History(path(), History::Mode::read).nightly_runs();
   ASSERT_EQ(nightly_runs.size(), 1u);
   expect_equal(nightly_runs[0], small_nightly_run(1));
-  EXPECT_EQ(nightly_runs[0].values[0].cell, small_nightly_run(1).values.back().cell) << "ordered by algorithm; all seeds come back";
+  EXPECT_EQ(nightly_runs[0].values[0].cell, small_nightly_run(1).values.back().cell)
+      << "ordered by algorithm; all seeds come back";
   EXPECT_EQ(nightly_runs[0].values[1].value, 0.1);
   EXPECT_EQ(nightly_runs[0].values[1].runs, 3u);
 }
@@ -94,8 +95,10 @@ constexpr const char* kVersion1 =
     "NULL, "
     "generator_params TEXT NOT NULL, n INTEGER NOT NULL, seed INTEGER NOT NULL, threads INTEGER NOT NULL, "
     "UNIQUE (algorithm, params, generator, generator_params, n, seed, threads));"
-    "CREATE TABLE value (nightly run INTEGER NOT NULL REFERENCES nightly run (id), cell INTEGER NOT NULL REFERENCES cell (id), "
-    "measure TEXT NOT NULL, value REAL NOT NULL, runs INTEGER NOT NULL, PRIMARY KEY (nightly run, cell, measure)) WITHOUT "
+    "CREATE TABLE value (nightly run INTEGER NOT NULL REFERENCES nightly run (id), cell INTEGER NOT NULL REFERENCES "
+    "cell (id), "
+    "measure TEXT NOT NULL, value REAL NOT NULL, runs INTEGER NOT NULL, PRIMARY KEY (nightly run, cell, measure)) "
+    "WITHOUT "
     "ROWID;"
     "INSERT INTO cell VALUES (1, 'greedy', '', 'uniform', '', 100, 1, 1);"
     "INSERT INTO nightly run VALUES (1, 'a', 'env', 'nightly', 'Abacus', '2026-01-01');"
@@ -136,7 +139,8 @@ pid_t writer(const std::string& path, int first, int last) {
   const pid_t child = fork();
   if (child != 0) return child;
   try {
-    for (int number = first; number <= last; ++number) History(path, History::Mode::write).add(small_nightly_run(number));
+    for (int number = first; number <= last; ++number)
+      History(path, History::Mode::write).add(small_nightly_run(number));
   } catch (...) {
     _exit(1);
   }

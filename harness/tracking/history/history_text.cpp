@@ -13,22 +13,10 @@ using Json = nlohmann::ordered_json;
 
 CsvRow row_of(std::size_t position, const NightlyRun& nightly_run, const NightlyValue& value) {
   const TrackedCell& cell = value.cell;
-  return {std::to_string(position),
-          nightly_run.recorded_at,
-          nightly_run.git_commit,
-          nightly_run.environment,
-          nightly_run.machine,
-          nightly_run.study,
-          cell.algorithm,
-          cell.params,
-          std::to_string(cell.threads),
-          cell.generator,
-          cell.generator_params,
-          std::to_string(cell.n),
-          std::to_string(cell.seed),
-          value.measure,
-          number_text(value.value),
-          std::to_string(value.runs),
+  return {std::to_string(position),     nightly_run.recorded_at, nightly_run.git_commit,   nightly_run.environment,
+          nightly_run.machine,          nightly_run.study,       cell.algorithm,           cell.params,
+          std::to_string(cell.threads), cell.generator,          cell.generator_params,    std::to_string(cell.n),
+          std::to_string(cell.seed),    value.measure,           number_text(value.value), std::to_string(value.runs),
           nightly_run.configuration};
 }
 
@@ -98,7 +86,8 @@ std::string history_csv(const std::vector<NightlyRun>& nightly_runs) {
       csv_line({"nightly_run", "recorded_at", "git_commit", "environment", "machine", "study", "algorithm", "params",
                 "threads", "generator", "generator_params", "n", "seed", "measure", "value", "runs", "configuration"});
   for (std::size_t nightly_run = 0; nightly_run < nightly_runs.size(); ++nightly_run) {
-    for (const NightlyValue& value : nightly_runs[nightly_run].values) text += csv_line(row_of(nightly_run, nightly_runs[nightly_run], value));
+    for (const NightlyValue& value : nightly_runs[nightly_run].values)
+      text += csv_line(row_of(nightly_run, nightly_runs[nightly_run], value));
   }
   return text;
 }
@@ -112,7 +101,8 @@ std::string series_json(const std::vector<Change>& changes, const std::vector<Ni
   for (const NightlyRun& nightly_run : nightly_runs) nightly_run_array.push_back(json_of(nightly_run));
   Json series_array = Json::array();
   for (const Series& series : series_of(nightly_runs)) series_array.push_back(json_of(series));
-  const Json object = {{"nightly_runs", nightly_run_array}, {"series", series_array}, {"changes", array_of(changes, nightly_runs)}};
+  const Json object = {
+      {"nightly_runs", nightly_run_array}, {"series", series_array}, {"changes", array_of(changes, nightly_runs)}};
   return object.dump() + '\n';
 }
 

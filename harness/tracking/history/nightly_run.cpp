@@ -58,8 +58,8 @@ std::vector<NightlyRun> nightly_runs_of(const ResultSet& results) {
   for (const RunRecord& run : results.runs) runs_of[key_of(results, run)].push_back(&run);
   std::vector<NightlyRun> nightly_runs;
   for (const auto& [key, runs] : runs_of) {
-    NightlyRun& nightly_run =
-        nightly_runs.emplace_back(NightlyRun{key.git_commit, key.environment, key.machine, key.study, key.configuration, "", {}});
+    NightlyRun& nightly_run = nightly_runs.emplace_back(
+        NightlyRun{key.git_commit, key.environment, key.machine, key.study, key.configuration, "", {}});
     add_values(nightly_run, runs);
   }
   std::sort(nightly_runs.begin(), nightly_runs.end(), [](const NightlyRun& a, const NightlyRun& b) {

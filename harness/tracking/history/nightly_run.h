@@ -27,8 +27,8 @@ struct NightlyRun {
   std::vector<NightlyValue> values;
 };
 
-/// The nightly runs of a folder, usually one: its runs by commit, environment, study and configuration, ordered by time. Runs
-/// without an environment count as those of an unknown machine.
+/// The nightly runs of a folder, usually one: its runs by commit, environment, study and configuration, ordered by
+/// time. Runs without an environment count as those of an unknown machine.
 ///
 /// A commit does not tell the program where the sources differed from it ("-dirty") or where there was no git
 /// ("unknown"). The configuration is empty for a folder without a study file whose commits tell the program.

@@ -97,7 +97,7 @@ inline EnvironmentRecord synthetic_environment(const std::string& cpu = "Abacus 
 }
 
 inline void write_synthetic_nightly_run(const std::string& folder, const std::vector<RunRecord>& runs,
-                                  const EnvironmentRecord& environment = synthetic_environment()) {
+                                        const EnvironmentRecord& environment = synthetic_environment()) {
   write_records(folder, {"name = \"synthetic\"\n", runs, {}, {environment}});
 }
 
