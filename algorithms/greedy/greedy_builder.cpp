@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "algorithms/greedy/certified_edges.h"
+#include "algorithms/greedy/greedy_marks.h"
+#include "geometry/mesh/margins.h"
 #include "geometry/numbers/trusted_range.h"
 #include "geometry/predicates.h"
 
@@ -51,7 +53,7 @@ void GreedyBuilder::start_queue() {
   for (const MeshEdge inside : face) {
     for (const Halfedge spoke : {2 * inside, 2 * inside + 1}) {
       const Halfedge right = mesh_.rotate_right(spoke);
-      if (stars_.is_fixed(right)) look_for_ear({right, stars_.left_of(spoke)});
+      if (is_fixed(mesh_, right)) look_for_ear({right, stars_.left_of(spoke)});
     }
   }
 }
@@ -80,8 +82,7 @@ void GreedyBuilder::empty_queue() {
 // (lemma 5).
 void GreedyBuilder::decide_order() {
   const EdgeSorter::Run run = sorted_.next_run();
-  constexpr double kMargin = 1e-5;  // for the rounding of floats
-  const double least = static_cast<double>(min_squared_length_) * (1 - kMargin);
+  const double least = static_cast<double>(min_squared_length_) * (1 - kFloatMargin);
   const bool later_ears_are_longer = run.most - run.least < least && is_trusted_float(least);
   const bool ears_are_longer = heap_.empty() || heap_.top().key().squared_length.high > run.most;
   sorted_.decide(run, later_ears_are_longer && ears_are_longer);
@@ -139,7 +140,7 @@ bool GreedyBuilder::faces_acute_angle(Halfedge h) const {
 
 // Whether h is an ear that is a mesh edge already. Precondition: the angle opposite h is not acute.
 bool GreedyBuilder::closes_ear(Halfedge h) const {
-  return stars_.is_fixed(mesh_.next(h)) && stars_.is_fixed(mesh_.previous(h));
+  return is_fixed(mesh_, mesh_.next(h)) && is_fixed(mesh_, mesh_.previous(h));
 }
 
 // Whether e can be the next edge of greedy, as lemma 1 of README.md has it: either there is no visible point in the
@@ -158,8 +159,7 @@ bool GreedyBuilder::comes_first(MeshEdge e) const {
   if (heap_.empty()) return true;
   const double top = heap_.top().key().squared_length.high;
   const double here = mesh_.record(e).squared_length;
-  constexpr double kFloatError = 1e-6;  // relative
-  if (is_trusted_float(here) && std::abs(here - top) > kFloatError * (here + top)) return here < top;
+  if (is_trusted_float(here) && std::abs(here - top) > kFloatMargin * (here + top)) return here < top;
   return order_.precedes(order_.key(mesh_.origin(2 * e), mesh_.target(2 * e)), heap_.top().key());
 }
 
@@ -188,7 +188,7 @@ void GreedyBuilder::take_from_heap() {
   if (candidate.is_ear()) return insert_ear(candidate);
   const MeshEdge e = edge_of(candidate.place());
   const bool is_still_there = candidate.joins(mesh_.origin(2 * e), mesh_.target(2 * e));
-  if (is_still_there && (mesh_.marks(e) & kFixedMark) == 0) fix(e);
+  if (is_still_there && !is_fixed_edge(mesh_, e)) fix(e);
 }
 
 void GreedyBuilder::fix(MeshEdge e) {
@@ -221,8 +221,8 @@ bool GreedyBuilder::is_unblocked_ear(const Wedge& wedge) {
   const Point& to = mesh_.point(mesh_.target(wedge.last));
   if (orientation(apex, from, to) <= 0 || dot_sign(from, apex, to) > 0) return false;
   const double dx = from.x - to.x, dy = from.y - to.y;
-  // Shorter beyond the rounding of floats; nothing counts as shorter than what is too short for them.
-  const double surely_shorter = (dx * dx + dy * dy) * (1 - 1e-6);
+  // Nothing counts as shorter than what is too short for floats.
+  const double surely_shorter = (dx * dx + dy * dy) * (1 - kFloatMargin);
   for (Halfedge spoke = mesh_.rotate_left(wedge.first); spoke != wedge.last; spoke = mesh_.rotate_left(spoke)) {
     if (mesh_.record(edge_of(spoke)).squared_length < surely_shorter && surely_shorter > kMinTrustedFloat) {
       mesh_.marks(edge_of(spoke)) |= kWatchedMarks[spoke & 1];
@@ -239,7 +239,7 @@ void GreedyBuilder::insert_ear(const Candidate& ear) {
   if (is_split) return;
   if (mesh_.rotate_left(wedge.first) == wedge.last) {  // other insertions have made it a mesh edge
     const MeshEdge third = edge_of(mesh_.next(wedge.first));
-    if ((mesh_.marks(third) & kFixedMark) == 0) fix(third);
+    if (!is_fixed_edge(mesh_, third)) fix(third);
     return;
   }
   ++counters_.ears;

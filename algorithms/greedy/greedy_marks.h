@@ -24,4 +24,15 @@ inline constexpr std::uint32_t kGreedyMarks = kFixedMark | kFlippedMark | kWatch
                                               kLoweredMark | kCutMark;
 static_assert((kGreedyMarks & (kHullMark | kLastingMarks)) == 0);
 
+/// Whether greedy has chosen the edge.
+[[nodiscard]] inline bool is_fixed_edge(const PlanarMesh& mesh, MeshEdge e) {
+  return (mesh.marks(e) & kFixedMark) != 0;
+}
+[[nodiscard]] inline bool is_fixed(const PlanarMesh& mesh, Halfedge h) { return is_fixed_edge(mesh, edge_of(h)); }
+
+/// Whether the edge is inside the face at hand: one of those that were collected, and not fixed since.
+[[nodiscard]] inline bool is_inside_face(const PlanarMesh& mesh, MeshEdge e) {
+  return (mesh.marks(e) & (kFixedMark | kFaceMark)) == kFaceMark;
+}
+
 }  // namespace mwt

@@ -76,7 +76,6 @@ class FaceBoundary {
   void for_each_side(std::span<const MeshEdge> face, Visit visit) const;
   [[nodiscard]] Halfedge side_after(Halfedge side) const;
   [[nodiscard]] Cycles cycles_of(std::span<const MeshEdge> face) const;
-  [[nodiscard]] bool is_fixed(Halfedge h) const;
 
   const PlanarMesh& mesh_;
   KeptVector<Link> corners_;

@@ -52,8 +52,9 @@ class CrossingBounds {
     double squared;
   };
 
-  [[nodiscard]] bool is_fixed(Halfedge h) const { return (mesh_.marks(edge_of(h)) & kFixedMark) != 0; }
-  [[nodiscard]] bool may_be_crossed(Halfedge h) const { return !is_fixed(h) && bounds_[edge_of(h)] != kNeverCrossed; }
+  [[nodiscard]] bool may_be_crossed(Halfedge h) const {
+    return !is_fixed(mesh_, h) && bounds_[edge_of(h)] != kNeverCrossed;
+  }
   [[nodiscard]] Spoke spoke_to(Index apex, Index v, Turn turn) const;
   [[nodiscard]] Spoke spoke(Halfedge h, Turn turn = Turn::left) const;
   [[nodiscard]] Halfedge first_of_wedge(Halfedge h) const;

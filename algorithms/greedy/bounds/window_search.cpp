@@ -1,15 +1,10 @@
 #include "algorithms/greedy/bounds/window_search.h"
 
 #include "geometry/mesh/distance.h"
+#include "geometry/mesh/margins.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
-
-namespace {
-
-constexpr double kMargin = 1e-13;  // squared distances err by less than 4.5e-16 of themselves
-
-}  // namespace
 
 bool WindowSearch::shows_nothing_near(Halfedge window, double squared, std::size_t max_steps) {
   squared_ = squared;
@@ -23,7 +18,7 @@ bool WindowSearch::shows_nothing_near(Halfedge window, double squared, std::size
     if (++steps_ > last_step) return false;
     const Halfedge outer = twin(windows_[--count_]);
     const Index third = mesh_.apex(outer);
-    if (side_of(third) == 0 && squared_distance(third) <= squared_ * (1 + kMargin)) return false;
+    if (side_of(third) == 0 && squared_distance(third) <= squared_ * (1 + kSquareMargin)) return false;
     if (!open(mesh_.next(outer)) || !open(mesh_.previous(outer))) return false;
   }
   return true;
@@ -31,14 +26,14 @@ bool WindowSearch::shows_nothing_near(Halfedge window, double squared, std::size
 
 // Remembers the window if something near may be seen through it; false when there are too many.
 bool WindowSearch::open(Halfedge window) {
-  if ((mesh_.marks(edge_of(window)) & kFixedMark) != 0) return true;
+  if (is_fixed(mesh_, window)) return true;
   const Index from = mesh_.origin(window), to = mesh_.target(window);
   const int side = side_of(from);
   if (side != 0 && side == side_of(to)) return true;
-  const double nearest = squared_ * (1 + kMargin);
+  const double nearest = squared_ * (1 + kSquareMargin);
   if (squared_distance(from) > nearest && squared_distance(to) > nearest) {
     // Lemma 4: with the third corner of its triangle inside and these two outside, all beyond the window is outside.
-    if (squared_distance(mesh_.apex(window)) < squared_ * (1 - kMargin)) return true;
+    if (squared_distance(mesh_.apex(window)) < squared_ * (1 - kSquareMargin)) return true;
     if (is_surely_farther(c_, mesh_.point(from), mesh_.point(to), squared_)) return true;
   }
   if (count_ == kMaxWindows) return false;

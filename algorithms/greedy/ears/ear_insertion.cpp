@@ -42,7 +42,7 @@ MeshEdge EarInsertion::flip_out(const Wedge& wedge) {
 
 // Lawson's flips on the edges in inner_, which are all that insertion can have disturbed.
 void EarInsertion::restore_delaunay() {
-  std::erase_if(inner_, [this](MeshEdge e) { return (mesh_.marks(e) & kFixedMark) != 0; });
+  std::erase_if(inner_, [this](MeshEdge e) { return is_fixed_edge(mesh_, e); });
   if (inner_.empty()) return;
   for (const MeshEdge e : inner_) mesh_.marks(e) |= kInnerMark;
   suspects_ = inner_;

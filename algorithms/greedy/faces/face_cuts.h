@@ -32,7 +32,6 @@ class FaceCuts {
   [[nodiscard]] std::optional<Wedge> wedge_if_shortest(Halfedge h) const;
   [[nodiscard]] bool is_before_ear(Halfedge h, const Wedge& wedge) const;
   [[nodiscard]] bool shows_nothing_near(Halfedge h, std::size_t last_step);
-  [[nodiscard]] bool is_fixed(Halfedge h) const { return (mesh_.marks(edge_of(h)) & kFixedMark) != 0; }
 
   const PlanarMesh& mesh_;
   WindowSearch search_;

@@ -27,7 +27,7 @@ bool Faces::are_large() {
   const std::size_t distance = mesh_.edge_count() / kSamples + 1;
   std::size_t inside = 0, in_large = 0;
   for (std::size_t e = distance / 2; e < mesh_.edge_count(); e += distance) {
-    if ((mesh_.marks(static_cast<MeshEdge>(e)) & kFixedMark) != 0) continue;
+    if (is_fixed_edge(mesh_, static_cast<MeshEdge>(e))) continue;
     collect(static_cast<MeshEdge>(e), many + 1);
     ++inside;
     in_large += edges_.size() > many ? 1 : 0;
@@ -39,8 +39,8 @@ bool Faces::are_large() {
 void Faces::collect_all() {
   edges_.clear();
   for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
+    if (is_fixed_edge(mesh_, e)) continue;
     std::uint32_t& marks = mesh_.marks(e);
-    if ((marks & kFixedMark) != 0) continue;
     marks = (marks & ~kFlippedMark) | kFaceMark;
     edges_.push_back(e);
   }
@@ -111,7 +111,7 @@ void Faces::sort() {
   if (is_small) return std::sort(edges_.begin(), edges_.end());
   edges_.clear();
   for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
-    if ((mesh_.marks(e) & (kFaceMark | kFixedMark)) == kFaceMark) edges_.push_back(e);
+    if (is_inside_face(mesh_, e)) edges_.push_back(e);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "geometry/mesh/distance.h"
+#include "geometry/mesh/margins.h"
 #include "geometry/mesh/radix_sort.h"
 
 namespace mwt {
@@ -55,10 +56,9 @@ bool EdgeSorter::surely_increases(std::size_t i) const {
 EdgeSorter::Run EdgeSorter::next_run() const {
   std::size_t last = decided_ + 1;
   while (last < keys_.size() && !surely_increases(last)) ++last;
-  constexpr double kMargin = 1e-14;  // rounded lengths err by less than 4.5e-16 of themselves
   const double least = rounded_down(keys_[decided_] >> kEdgeBits),
                most = rounded_down((keys_[last - 1] >> kEdgeBits) + 1);
-  return {decided_, last, least * (1 - kMargin), most * (1 + kMargin)};
+  return {decided_, last, least * (1 - kSquareMargin), most * (1 + kSquareMargin)};
 }
 
 // The least squared length with these leading bits.
@@ -82,20 +82,20 @@ void EdgeSorter::sort_exactly(std::size_t first, std::size_t last) {
 
 // Squared lengths with the same exponent and 6 leading bits share a bucket; all beyond the range in which they can be
 // trusted share the last one or the first. Rounding may put two lengths in the wrong order when they are within a few
-// ulps of each other: those within kMargin of a bucket's start count as belonging to the bucket before.
+// ulps of each other: those within kMarginUlps of a bucket's start count as belonging to the bucket before.
 namespace {
 
 constexpr int kBucketShift = 46;
-constexpr std::uint64_t kMargin = 64;
+constexpr std::uint64_t kMarginUlps = 64;
 
 std::uint64_t length_bits(const Candidate& candidate) {
   return std::bit_cast<std::uint64_t>(
       std::clamp(candidate.key().squared_length.high, kMinTrustedProduct, kMaxTrustedProduct));
 }
 
-std::uint64_t bucket_of(const Candidate& candidate) { return (length_bits(candidate) - kMargin) >> kBucketShift; }
+std::uint64_t bucket_of(const Candidate& candidate) { return (length_bits(candidate) - kMarginUlps) >> kBucketShift; }
 
-std::uint64_t min_length_bits(std::uint64_t bucket) { return (bucket << kBucketShift) + kMargin; }
+std::uint64_t min_length_bits(std::uint64_t bucket) { return (bucket << kBucketShift) + kMarginUlps; }
 
 }  // namespace
 
@@ -136,7 +136,7 @@ void CandidateHeap::set_long_ones_aside() {
 void CandidateHeap::open_due_buckets() {
   while (!waiting_.empty()) {
     const auto first = waiting_.begin();
-    if (!empty() && length_bits(top()) + kMargin / 2 < min_length_bits(first->first)) return;
+    if (!empty() && length_bits(top()) + kMarginUlps / 2 < min_length_bits(first->first)) return;
     sorted_.erase(sorted_.begin(), sorted_.begin() + static_cast<std::ptrdiff_t>(next_));
     next_ = 0;
     while (!waiting_.empty() && sorted_.size() < kLargeBucket) {
