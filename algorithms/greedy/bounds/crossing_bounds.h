@@ -31,9 +31,6 @@ class CrossingBounds {
   /// Whether e is certainly greedy. Precondition: e is of the face of the last find(), which succeeded.
   [[nodiscard]] bool is_certain(MeshEdge e) const { return bounds_[e] == kNeverCrossed; }
 
-  /// Frees the memory.
-  void forget() { bounds_.reset(); }
-
  private:
   static constexpr float kNeverCrossed = std::numeric_limits<float>::infinity();
 

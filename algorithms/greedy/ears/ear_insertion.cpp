@@ -1,5 +1,7 @@
 #include "algorithms/greedy/ears/ear_insertion.h"
 
+#include "algorithms/greedy/faces/fixed_stars.h"
+#include "algorithms/greedy/greedy_marks.h"
 #include "geometry/mesh/in_circle.h"
 #include "geometry/predicates.h"
 

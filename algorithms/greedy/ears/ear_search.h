@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "algorithms/greedy/wedge.h"
+#include "algorithms/greedy/faces/wedge.h"
 #include "geometry/mesh/edge_order.h"
 #include "geometry/mesh/planar_mesh.h"
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
-#include "algorithms/greedy/boundary/boundary_stretch.h"
+#include "algorithms/greedy/faces/wedge.h"
 #include "geometry/mesh/edge_order.h"
 
 namespace mwt {
+
+class BoundaryStretch;
+class FaceBoundary;
 
 /// What cuts off corner c: the edge from b, previous on the boundary, to a, the next.
 struct DistantEar {

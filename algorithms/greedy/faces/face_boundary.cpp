@@ -1,4 +1,4 @@
-#include "algorithms/greedy/boundary/face_boundary.h"
+#include "algorithms/greedy/faces/face_boundary.h"
 
 #include <limits>
 #include <utility>

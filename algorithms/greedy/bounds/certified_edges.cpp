@@ -1,4 +1,4 @@
-#include "algorithms/greedy/certified_edges.h"
+#include "algorithms/greedy/bounds/certified_edges.h"
 
 #include "geometry/mesh/angle.h"
 #include "geometry/mesh/margins.h"

@@ -1,7 +1,8 @@
-#include "algorithms/greedy/ears/distant_ears.h"
+#include "algorithms/greedy/pockets/distant_ears.h"
 
 #include <algorithm>
 
+#include "algorithms/greedy/pockets/boundary_stretch.h"
 #include "geometry/mesh/distance.h"
 #include "geometry/mesh/margins.h"
 #include "geometry/numbers/trusted_range.h"
