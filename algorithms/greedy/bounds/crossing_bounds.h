@@ -12,8 +12,8 @@
 namespace mwt {
 
 /// For each edge of a face a number below which no greedy edge that crosses it has its squared length; infinite for
-/// those that are certainly greedy. What can cross an edge is an ear at one of its ends (lemma 6 in README.md), so that
-/// the stars of the vertices tell (lemma 7).
+/// those that are certainly greedy. What can cross an edge is an ear at one of its ends (lemma 5 in PROOFS.md), so that
+/// the stars of the vertices tell (lemma 6).
 ///
 /// Floating point with a margin, rounded towards crossings: an edge that is said to be greedy is so under any tie rule.
 /// Preconditions of all: the mesh is a Delaunay triangulation constrained by the edges of kFixedMark, all greedy; the
