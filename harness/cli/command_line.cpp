@@ -60,7 +60,7 @@ int run_and_flush(const Command& command) {
 int parse_and_run(std::span<const Command> commands, int argument_count, char** arguments) {
   CLI::App app("Laboratory for minimum weight triangulations: see README.md", "mwt");
   app.require_subcommand(1);
-  app.set_version_flag("--version", "mwt " + version(), "print the version and exit");
+  app.set_version_flag("--version", "mwt " + version(), "Print the version and exit");
   std::vector<CLI::App*> parsers;
   for (const Command& command : commands) {
     parsers.push_back(app.add_subcommand(command.name, command.summary));
