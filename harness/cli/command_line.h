@@ -1,4 +1,4 @@
-// Parsing the command line: the only door to CLI11.
+// Parsing the command line: the only file that includes CLI11 is command_line.cpp.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ namespace mwt {
 /// How a run of the program ends; scripts rely on these.
 enum ExitCode : int {
   kExitOk = 0,
-  kExitNegative = 1,     ///< the answer is no: an invalid triangulation, a regression, a study with runs that failed
-  kExitUserMistake = 2,  ///< one line on standard error says what and how to mend it
-  kExitFailure = 3,      ///< of this program: an algorithm's invalid output, an exception nobody expected
+  kExitNegative = 1,     ///< an invalid triangulation, a regression, or a study with failed runs
+  kExitUserMistake = 2,  ///< one line on standard error states the mistake and the remedy
+  kExitFailure = 3,      ///< a fault of this program: an algorithm's invalid output, an unexpected exception
   kExitInterrupted = 130,
 };
 
-/// The most threads or processes that an option may ask for.
+/// The largest number of threads or processes that an option accepts.
 inline constexpr int kMaxWorkers = 1024;
 
 /// Declares what a command takes. Every `value` gets its value when the command line is parsed, before Command::run,

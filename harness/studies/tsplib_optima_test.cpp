@@ -12,9 +12,7 @@
 namespace mwt {
 namespace {
 
-std::string test_data(const std::string& file) {
-  return std::string(MWT_SOURCE_DIR) + "/harness/studies/tsplib/" + file;
-}
+std::string test_data(const std::string& file) { return MWT_SOURCE_DIR "/harness/studies/tsplib/" + file; }
 
 TEST(TsplibOptima, AreFoundByExact) {
   std::ifstream table(test_data("optima.csv"));
