@@ -4,7 +4,7 @@
 #include <map>
 
 #include "harness/io/text/text.h"
-#include "harness/run/machine/environment.h"
+#include "harness/records/environment.h"
 #include "harness/tracking/machine_state.h"
 
 namespace mwt {

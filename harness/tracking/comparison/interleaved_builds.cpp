@@ -123,7 +123,7 @@ std::string program_of(const std::string& build) {
 class Side {
  public:
   Side(const std::string& build, const std::string& folder, const Study& study)
-      : program_(program_of(build)), results_(folder, study, false), study_name_(study.name) {}
+      : program_(program_of(build)), results_(folder, study.name, study.file_content, false), study_name_(study.name) {}
 
   void run(const TrackedCell& cell, const std::string& study_file, const fs::path& scratch, int repetition) {
     const fs::path records = scratch / "records";
