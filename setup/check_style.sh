@@ -27,4 +27,12 @@ forbid '#include "(generators|algorithms|harness)/' 'geometry is the lowest laye
 forbid '#include "(algorithms|harness)/' 'generators include geometry only' "${generators[@]}"
 forbid '#include "(generators|harness)/' 'algorithms include geometry only' "${algorithms[@]}"
 forbid '#include <(CGAL|Eigen|CLI|nlohmann|toml|boost/math|benchmark|glpk|sqlite3)' 'heavy headers belong in few .cpp files' "${headers[@]}"
+
+# CMakeLists.txt states the version; what people and programs read elsewhere must agree.
+version=$(sed -n 's/^project(.* VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+agrees() {  # agrees FILE LINE
+  grep -qxF "$2" "$1" || { echo "style: $1 has no line '$2', but CMakeLists.txt has version $version" >&2; failed=yes; }
+}
+agrees CITATION.cff "version: $version"
+agrees CHANGELOG.md "## $version"
 [ "$failed" = no ]
