@@ -26,7 +26,7 @@
 #include "base/given_number.h"
 #include "harness/benchmark/csv_reporter.h"
 #include "harness/benchmark/prepared_cell.h"
-#include "harness/cli/command_line.h"
+#include "harness/io/exit_code.h"
 #include "harness/io/standard_streams.h"
 #include "harness/run/machine/build_info.h"
 

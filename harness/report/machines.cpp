@@ -5,7 +5,7 @@
 
 #include "harness/io/text/text.h"
 #include "harness/records/environment.h"
-#include "harness/tracking/machine_state.h"
+#include "harness/records/machine_state.h"
 
 namespace mwt {
 

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "generators/random.h"
-#include "harness/cli/command_line.h"
+#include "harness/io/exit_code.h"
 #include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
 #include "harness/io/progress.h"
