@@ -26,7 +26,7 @@
 #include "base/given_number.h"
 #include "harness/benchmark/csv_reporter.h"
 #include "harness/benchmark/prepared_cell.h"
-#include "harness/cli/command_line.h"
+#include "harness/io/exit_code.h"
 #include "harness/io/standard_streams.h"
 #include "harness/run/machine/build_info.h"
 
@@ -76,9 +76,9 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
   state.counters["over_delaunay"] = times.ratio(points);
   state.counters["stopped_early"] = stop_reason ? 1 : 0;
   if (stop_reason) state.SetLabel("stopped early: " + std::string(phrase_of(*stop_reason)));
-  if (cell.alpha) {
-    state.counters["alpha_lower"] = cell.alpha->lower;
-    state.counters["alpha_upper"] = cell.alpha->upper;
+  if (cell.run.alpha_upper) {
+    state.counters["alpha_lower"] = *cell.run.alpha_lower;
+    state.counters["alpha_upper"] = *cell.run.alpha_upper;
   }
   for (const auto& [phase, seconds] : context.phases) state.counters["phase_" + phase + "_s"] += seconds;
 }

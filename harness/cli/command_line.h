@@ -1,4 +1,4 @@
-// Parsing the command line: the only file that includes CLI11 is command_line.cpp.
+// Parsing the command line. Only command_line.cpp includes CLI11.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,13 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "harness/io/exit_code.h"
 
 namespace CLI {
 class App;
 }
 
 namespace mwt {
-
-/// How a run of the program ends; scripts rely on these.
-enum ExitCode : int {
-  kExitOk = 0,
-  kExitNegative = 1,     ///< an invalid triangulation, a regression, or a study with failed runs
-  kExitUserMistake = 2,  ///< one line on standard error states the mistake and the remedy
-  kExitFailure = 3,      ///< a fault of this program: an algorithm's invalid output, an unexpected exception
-  kExitInterrupted = 130,
-};
 
 /// The largest number of threads or processes that an option accepts.
 inline constexpr int kMaxWorkers = 1024;

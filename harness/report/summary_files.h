@@ -19,7 +19,7 @@ namespace mwt {
 [[nodiscard]] std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth,
                                         const Labels& labels);
 
-/// The content of ratings.csv: one row per run that is ok. `runs` are those of the report, finally_rated().
+/// The content of ratings.csv: one row per run that is ok. `runs` are those of the report, rated_by_all_bounds().
 [[nodiscard]] std::string ratings_csv(const std::string& study, const std::vector<RunRecord>& runs);
 
 }  // namespace mwt

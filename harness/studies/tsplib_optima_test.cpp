@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -12,7 +13,9 @@
 namespace mwt {
 namespace {
 
-std::string test_data(const std::string& file) { return MWT_SOURCE_DIR "/harness/studies/tsplib/" + file; }
+std::string test_data(const std::string& file) {
+  return (std::filesystem::path(MWT_SOURCE_DIR) / "harness/studies/tsplib" / file).string();
+}
 
 TEST(TsplibOptima, AreFoundByExact) {
   std::ifstream table(test_data("optima.csv"));

@@ -23,11 +23,16 @@ function(mwt_add_tests layer)
                        TEST_LIST ${layer}_slow_tests PROPERTIES LABELS slow TIMEOUT 3000)
 endfunction()
 
+# Point sets that the tests of two layers use.
+add_library(mwt_shapes_for_tests STATIC geometry/mesh/testing/shapes_for_tests.cpp)
+target_link_libraries(mwt_shapes_for_tests PUBLIC mwt_geometry)
+
 # CGAL: only as an opinion to compare hulls with.
-mwt_add_tests(geometry mwt_geometry CGAL::CGAL)
+mwt_add_tests(base mwt_base)
+mwt_add_tests(geometry mwt_geometry mwt_shapes_for_tests CGAL::CGAL)
 mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not include each other; only their tests do.
-mwt_add_tests(algorithms mwt_algorithms mwt_generators)
+mwt_add_tests(algorithms mwt_algorithms mwt_generators mwt_shapes_for_tests)
 # Boost and JSON: to look at results with other eyes than the harness's own.
 mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json)
 # The harness's tests also run the programs as their users do.
