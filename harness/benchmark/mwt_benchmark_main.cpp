@@ -29,6 +29,7 @@
 #include "harness/io/exit_code.h"
 #include "harness/io/standard_streams.h"
 #include "harness/run/machine/build_info.h"
+#include "harness/run/max_workers.h"
 
 namespace mwt {
 

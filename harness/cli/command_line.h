@@ -18,9 +18,6 @@ class App;
 
 namespace mwt {
 
-/// The largest number of threads or processes that an option accepts.
-inline constexpr int kMaxWorkers = 1024;
-
 /// Declares what a command takes. Every `value` gets its value when the command line is parsed, before Command::run,
 /// and keeps its default if the option is not given.
 class CommandOptions {

@@ -11,6 +11,7 @@
 #include "harness/io/output_file.h"
 #include "harness/io/text/text.h"
 #include "harness/run/catalogue.h"
+#include "harness/run/max_workers.h"
 #include "harness/run/start_triangulation.h"
 
 namespace mwt {

@@ -11,6 +11,7 @@
 #include "harness/report/failures.h"
 #include "harness/report/tables.h"
 #include "harness/run/catalogue.h"
+#include "harness/run/max_workers.h"
 #include "harness/study/estimate/dry_run.h"
 #include "harness/study/run_study.h"
 

@@ -21,6 +21,7 @@
 #include "harness/rating/rated_run.h"
 #include "harness/run/catalogue.h"
 #include "harness/run/execution.h"
+#include "harness/run/max_workers.h"
 #include "harness/run/start_triangulation.h"
 
 namespace mwt {
