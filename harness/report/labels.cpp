@@ -38,7 +38,7 @@ std::set<std::string> differing_parameters(const std::vector<Variant>& variants)
   std::set<std::string> differing;
   for (const Variant& variant : variants) {
     for (const auto& [name, text] : variant.assignments) {
-      const auto is_other = [&](const Variant& other) { return text_of(other, name) != text; };
+      const auto is_other = [&name = name, &text = text](const Variant& other) { return text_of(other, name) != text; };
       if (std::ranges::any_of(variants, is_other)) differing.insert(name);
     }
   }
