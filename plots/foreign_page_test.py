@@ -2,7 +2,8 @@
 """Tests the page of a study of one's own, with an algorithm and a family of one's own: plots/foreign_page_test.py MWT
 
 Runs a small study, puts a copy of an algorithm under a new name, a renamed family and a failed run into its records, makes
-the page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium.
+the page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium or
+Selenium.
 """
 import csv
 import pathlib
@@ -11,7 +12,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
-import chromium  # noqa: E402  (beside this file)
+import browser  # noqa: E402  (beside this file)
 from page_testing import PageTestCase, main, program, run  # noqa: E402
 
 OWN_ALGORITHM, OWN_FAMILY = "my_heuristic", "my_family"
@@ -60,10 +61,10 @@ class ForeignPageTest(PageTestCase):
         run(HERE / "make_page.py", results)
         cls.results = results
         cls.page = results / "report.html"
-        cls.browser = cls.enterClassContext(chromium.Browser())
+        cls.browser = cls.enterClassContext(browser.Browser())
 
     def test_nothing_is_said_about_the_report(self):
-        words = ("1.1–1.5", "report’s band", "report's band", "the report on greedy", "undecided", "Verdict", "hull insertion")
+        words = ("1.1–1.5", "source report", "undecided", "Verdict", "hull insertion")
         found = self.value(f"{list(words)}.filter((words) => document.body.innerText.includes(words))")
         self.assertEqual(found, [])
         self.assertEqual(self.value("document.querySelectorAll('.answer, details.claim').length"), 0)
@@ -98,7 +99,7 @@ class ForeignPageTest(PageTestCase):
         for label in ("delaunay", "patch k=14", "flip_naive improvement=first start=sweep"):
             self.assertTrue(f"{label}:" in text, label)
         self.assertFalse("polygon_dp" in text, "it does not take these points")
-        self.assertEqual(self.value("document.querySelectorAll('#gallery figure').length"), 1, "none of the report's")
+        self.assertEqual(self.value("document.querySelectorAll('#gallery figure').length"), 1, "none of the source report's")
 
     def test_algorithms_with_equal_alphas_are_both_named(self):
         self.assertTrue(f"delaunay = {OWN_ALGORITHM}" in self.figure_text("alpha_by_n", ".wide"))

@@ -1,4 +1,4 @@
-// Parsing the command line: the only door to CLI11.
+// Parsing the command line. Only command_line.cpp includes CLI11.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,13 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "harness/io/exit_code.h"
 
 namespace CLI {
 class App;
 }
 
 namespace mwt {
-
-/// How a run of the program ends; scripts rely on these.
-enum ExitCode : int {
-  kExitOk = 0,
-  kExitNegative = 1,     ///< the answer is no: an invalid triangulation, a regression, a study with runs that failed
-  kExitUserMistake = 2,  ///< one line on standard error says what and how to mend it
-  kExitFailure = 3,      ///< of this program: an algorithm's invalid output, an exception nobody expected
-  kExitInterrupted = 130,
-};
-
-/// The most threads or processes that an option may ask for.
-inline constexpr int kMaxWorkers = 1024;
 
 /// Declares what a command takes. Every `value` gets its value when the command line is parsed, before Command::run,
 /// and keeps its default if the option is not given.
@@ -46,7 +35,7 @@ class CommandOptions {
   void required(const std::string& name, std::string& value, const std::string& help);
   void option(const std::string& name, std::optional<std::string>& value, const std::string& help);
 
-  /// Numbers, all read by geometry/given_number.h: decimal, and within a range or an InputError. The first two have the
+  /// Numbers, all read by base/given_number.h: decimal, and within a range or an InputError. The first two have the
   /// whole range of their type; `positive` is from 1 to `most`, or from 1e-9 to 1e9.
   void option(const std::string& name, std::uint64_t& value, const std::string& help);
   void option(const std::string& name, std::optional<Index>& value, const std::string& help);

@@ -41,8 +41,8 @@ if(TARGET harness_test)
                              MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
   add_dependencies(harness_test mwt mwt_benchmark)
 endif()
-# What figures compute; the report's page, that of another study and the nights' dashboard, looked at in a headless Chromium.
-# Optimised builds only, for sanitizers have nothing to find in them.
+# What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
+# Optimised builds only: sanitizers find nothing in Python.
 if(NOT MWT_SANITIZE)
   add_test(NAME plots.figures COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/figures_test.py)
   add_test(NAME plots.page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/page_test.py $<TARGET_FILE:mwt>)
