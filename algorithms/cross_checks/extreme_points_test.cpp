@@ -192,7 +192,7 @@ TEST(ExtremePoints, SolversTellDenormalLengthsApart) {
 
 std::vector<Edge> greedy_edges(Points points, std::size_t large_face) {
   PlanarMesh mesh = PlanarMesh::delaunay(points);
-  GreedyBuilder(mesh, Context{}, large_face).run();
+  build_greedy(mesh, Context{}, large_face);
   return edges_of(mesh.triangulation());
 }
 

@@ -1,11 +1,12 @@
 #include "algorithms/greedy/greedy.h"
 
 #include "algorithms/greedy/greedy_builder.h"
+#include "algorithms/greedy/greedy_marks.h"
 
 namespace mwt {
 
 GreedyCounters make_greedy(PlanarMesh& mesh, const Context& context) {
-  const GreedyCounters counters = GreedyBuilder(mesh, context).run();
+  const GreedyCounters counters = build_greedy(mesh, context);
   mesh.clear_marks(kGreedyMarks);
   return counters;
 }

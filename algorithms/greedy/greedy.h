@@ -17,8 +17,8 @@ struct GreedyCounters {
 /// each is taken unless it crosses a taken one or passes through a point. Edge for edge what the naive algorithm
 /// yields, for arbitrary doubles.
 ///
-/// From the Delaunay triangulation by keeping a constrained Delaunay triangulation of the edges taken so far; the lemma
-/// that makes this right, and its proof, are in README.md.
+/// From the Delaunay triangulation by keeping a constrained Delaunay triangulation of the edges taken so far; README.md
+/// describes the method, PROOFS.md why it is right.
 /// Preconditions: distinct points, not all collinear, fewer than 2^28.
 /// Time O(n log n) in practice: about one and a half of CGAL's Delaunay triangulations on uniform, clustered, lattice
 /// and log-radial points; for a million points about two and a half on a circle and on roads, and up to three along a

@@ -2,15 +2,74 @@
 
 #include <algorithm>
 
-#include "algorithms/greedy/certified_edges.h"
+#include "algorithms/greedy/bounds/certified_edges.h"
+#include "algorithms/greedy/ears/ear_insertion.h"
+#include "algorithms/greedy/faces/faces.h"
+#include "algorithms/greedy/faces/fixed_stars.h"
+#include "algorithms/greedy/greedy_marks.h"
+#include "algorithms/greedy/queue/candidate.h"
+#include "algorithms/greedy/queue/edge_sorter.h"
+#include "geometry/mesh/margins.h"
 #include "geometry/numbers/trusted_range.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
 
+namespace {
+
+/// One use. Invariant between steps: the mesh is the constrained Delaunay triangulation of the points with the edges of
+/// kFixedMark as constraints.
+class GreedyBuilder {
+ public:
+  GreedyBuilder(PlanarMesh& mesh, const Context& context, std::size_t large_face)
+      : mesh_(mesh),
+        context_(context),
+        order_(mesh.points(), mesh.labels()),
+        sorted_(mesh, order_),
+        queue_(order_),
+        stars_(mesh),
+        insertion_(mesh, stars_),
+        faces_({mesh, order_, stars_, insertion_, context}, large_face) {}
+
+  GreedyCounters run();
+
+ private:
+  void fix_certain_edges();
+  void solve();
+  [[nodiscard]] bool stopped_early() const { return counters_.stopped_early || faces_.stopped_early(); }
+  void start_queue();
+  void empty_queue();
+
+  [[nodiscard]] bool is_candidate(MeshEdge e) const;
+  [[nodiscard]] bool faces_acute_angle(Halfedge h) const;
+  [[nodiscard]] bool closes_ear(Halfedge h) const;
+  [[nodiscard]] bool is_settled(MeshEdge e) const;
+  [[nodiscard]] bool comes_first(MeshEdge e) const;
+  void push_if_candidate(MeshEdge e);
+  void push_candidates_around(MeshEdge e);
+  void push_edge(MeshEdge e);
+  void take_from_queue();
+
+  void fix(MeshEdge e);
+  void look_for_ear(const Wedge& wedge);
+  void look_at_triangle(Halfedge side);
+  [[nodiscard]] bool is_unblocked_ear(const Wedge& wedge);
+  void insert_ear(const Candidate& ear);
+
+  PlanarMesh& mesh_;
+  const Context& context_;
+  EdgeOrder order_;
+  EdgeSorter sorted_;
+  CandidateQueue queue_;
+  FixedStars stars_;
+  EarInsertion insertion_;
+  Faces faces_;
+  GreedyCounters counters_;
+  std::uint64_t steps_ = 0;
+};
+
 GreedyCounters GreedyBuilder::run() {
   fix_certain_edges();
-  if (faces_.reduce_all()) solve();
   for (MeshEdge e = 0; e < mesh_.edge_count(); ++e) {
     while ((mesh_.marks(e) & (kFixedMark | kFaceMark)) == 0 && !stopped_early()) {
       if (!faces_.reduce_face(e)) solve();
@@ -31,7 +90,6 @@ void GreedyBuilder::fix_certain_edges() {
     } else {
       ++others;
     }
-    min_squared_length_ = std::min(min_squared_length_, mesh_.record(e).squared_length);
   }
   faces_.reserve(others);
 }
@@ -51,83 +109,24 @@ void GreedyBuilder::start_queue() {
   for (const MeshEdge inside : face) {
     for (const Halfedge spoke : {2 * inside, 2 * inside + 1}) {
       const Halfedge right = mesh_.rotate_right(spoke);
-      if (stars_.is_fixed(right)) look_for_ear({right, stars_.left_of(spoke)});
+      if (is_fixed(mesh_, right)) look_for_ear({right, stars_.left_of(spoke)});
     }
   }
 }
 
 void GreedyBuilder::empty_queue() {
-  fetched_ = 0;
   std::size_t next = 0;
-  while (next < sorted_.size() || !heap_.empty()) {
+  while (next < sorted_.size() || !queue_.empty()) {
     if (++steps_ % 4096 == 0 && context_.deadline_passed()) {
       counters_.stopped_early = true;
       return;
     }
-    if (next < sorted_.size() && next >= fetched_) fetch_ahead(next);
-    if (next < sorted_.size() && next == sorted_.decided()) decide_order();
     if (next < sorted_.size() && is_settled(sorted_.edge(next))) {
       ++next;
     } else if (next < sorted_.size() && comes_first(sorted_.edge(next))) {
       fix(sorted_.edge(next++));
     } else {
-      take_from_heap();
-    }
-  }
-}
-
-// Of edges that rounded lengths do not tell apart: any order will do if all ears are longer, those to come included
-// (lemma 5).
-void GreedyBuilder::decide_order() {
-  const EdgeSorter::Run run = sorted_.next_run();
-  constexpr double kMargin = 1e-5;  // for the rounding of floats
-  const double least = static_cast<double>(min_squared_length_) * (1 - kMargin);
-  const bool later_ears_are_longer = run.most - run.least < least && is_trusted_float(least);
-  const bool ears_are_longer = heap_.empty() || heap_.top().key().squared_length.high > run.most;
-  sorted_.decide(run, later_ears_are_longer && ears_are_longer);
-}
-
-// Edges come in the order of length, from everywhere: bring what the coming ones need into the cache, first their
-// records, later the records of their stars.
-void GreedyBuilder::fetch_ahead(std::size_t next) {
-  constexpr std::size_t kFar = 48, kMiddle = 32, kNear = 16;
-  fetched_ = next + 1;
-  if (next + kFar >= sorted_.size()) return;
-  mesh_.prefetch(sorted_.edge(next + kFar));
-  const MeshEdge middle = sorted_.edge(next + kMiddle);
-  for (const Halfedge h : {2 * middle, 2 * middle + 1}) {
-    mesh_.prefetch(edge_of(mesh_.next(h)));
-    mesh_.prefetch(edge_of(mesh_.previous(h)));
-    mesh_.prefetch_point(mesh_.origin(h));
-  }
-  const MeshEdge near = sorted_.edge(next + kNear);
-  for (const Halfedge h : {2 * near, 2 * near + 1}) {
-    const Halfedge left = mesh_.rotate_left(h), right = mesh_.rotate_right(h);
-    mesh_.prefetch(edge_of(mesh_.rotate_left(left)));
-    mesh_.prefetch(edge_of(mesh_.rotate_right(right)));
-    mesh_.prefetch_point(mesh_.target(left));
-  }
-}
-
-// The same for the candidates from the heap.
-void GreedyBuilder::fetch_ears_ahead() const {
-  constexpr std::size_t kFar = 24, kMiddle = 16, kNear = 8;
-  if (const Candidate* far = heap_.ahead(kFar)) mesh_.prefetch(edge_of(far->place()));
-  if (const Candidate* middle = heap_.ahead(kMiddle)) {
-    const Halfedge h = middle->place();
-    for (const Halfedge side : {mesh_.next(h), mesh_.previous(h), mesh_.next(twin(h)), mesh_.previous(twin(h))}) {
-      mesh_.prefetch(edge_of(side));
-    }
-    mesh_.prefetch_point(mesh_.origin(h));
-    mesh_.prefetch_point(mesh_.target(h));
-  }
-  if (const Candidate* near = heap_.ahead(kNear)) {
-    const Halfedge h = near->place();
-    const Halfedge spoke = mesh_.rotate_left(h), across = mesh_.next(h);
-    mesh_.prefetch_point(mesh_.target(spoke));
-    for (const Halfedge side :
-         {mesh_.next(spoke), mesh_.previous(spoke), mesh_.next(twin(across)), mesh_.previous(twin(across))}) {
-      mesh_.prefetch(edge_of(side));
+      take_from_queue();
     }
   }
 }
@@ -139,10 +138,10 @@ bool GreedyBuilder::faces_acute_angle(Halfedge h) const {
 
 // Whether h is an ear that is a mesh edge already. Precondition: the angle opposite h is not acute.
 bool GreedyBuilder::closes_ear(Halfedge h) const {
-  return stars_.is_fixed(mesh_.next(h)) && stars_.is_fixed(mesh_.previous(h));
+  return is_fixed(mesh_, mesh_.next(h)) && is_fixed(mesh_, mesh_.previous(h));
 }
 
-// Whether e can be the next edge of greedy, as lemma 1 of README.md has it: either there is no visible point in the
+// Whether e can be the next edge of greedy, as lemma 1 of PROOFS.md has it: either there is no visible point in the
 // closed disc around it, which its two triangles tell, or it is an ear. Precondition: e is not fixed.
 bool GreedyBuilder::is_candidate(MeshEdge e) const {
   const Halfedge h = 2 * e;
@@ -153,14 +152,13 @@ bool GreedyBuilder::is_candidate(MeshEdge e) const {
 // Whether the edge sorted at the start is dealt with: taken already, or flipped away.
 bool GreedyBuilder::is_settled(MeshEdge e) const { return (mesh_.marks(e) & (kFixedMark | kFlippedMark)) != 0; }
 
-// Whether e precedes all candidates in the heap.
+// Whether e precedes all candidates in the queue.
 bool GreedyBuilder::comes_first(MeshEdge e) const {
-  if (heap_.empty()) return true;
-  const double top = heap_.top().key().squared_length.high;
+  if (queue_.empty()) return true;
+  const double top = queue_.top().key().squared_length.high;
   const double here = mesh_.record(e).squared_length;
-  constexpr double kFloatError = 1e-6;  // relative
-  if (is_trusted_float(here) && std::abs(here - top) > kFloatError * (here + top)) return here < top;
-  return order_.precedes(order_.key(mesh_.origin(2 * e), mesh_.target(2 * e)), heap_.top().key());
+  if (is_trusted_float(here) && std::abs(here - top) > kFloatMargin * (here + top)) return here < top;
+  return order_.precedes(order_.key(mesh_.origin(2 * e), mesh_.target(2 * e)), queue_.top().key());
 }
 
 void GreedyBuilder::push_if_candidate(MeshEdge e) {
@@ -178,17 +176,16 @@ void GreedyBuilder::push_candidates_around(MeshEdge e) {
 
 void GreedyBuilder::push_edge(MeshEdge e) {
   mesh_.marks(e) |= kCandidateMark;
-  heap_.push(Candidate::edge(mesh_, order_, e));
+  queue_.push(Candidate::edge(mesh_, order_, e));
 }
 
-void GreedyBuilder::take_from_heap() {
-  const Candidate candidate = heap_.top();
-  heap_.pop();
-  fetch_ears_ahead();
+void GreedyBuilder::take_from_queue() {
+  const Candidate candidate = queue_.top();
+  queue_.pop();
   if (candidate.is_ear()) return insert_ear(candidate);
   const MeshEdge e = edge_of(candidate.place());
   const bool is_still_there = candidate.joins(mesh_.origin(2 * e), mesh_.target(2 * e));
-  if (is_still_there && (mesh_.marks(e) & kFixedMark) == 0) fix(e);
+  if (is_still_there && !is_fixed_edge(mesh_, e)) fix(e);
 }
 
 void GreedyBuilder::fix(MeshEdge e) {
@@ -204,7 +201,7 @@ void GreedyBuilder::look_for_ear(const Wedge& wedge) {
   if (wedge.first == wedge.last) return;
   if (mesh_.rotate_left(wedge.first) == wedge.last) return look_at_triangle(wedge.first);
   if (!is_unblocked_ear(wedge)) return;
-  heap_.push(Candidate::ear(mesh_, order_, wedge.first, wedge.last));
+  queue_.push(Candidate::ear(mesh_, order_, wedge.first, wedge.last));
 }
 
 // Of the triangle left of `side` that side and the one before it are fixed: the third is a candidate if it is an ear.
@@ -221,8 +218,8 @@ bool GreedyBuilder::is_unblocked_ear(const Wedge& wedge) {
   const Point& to = mesh_.point(mesh_.target(wedge.last));
   if (orientation(apex, from, to) <= 0 || dot_sign(from, apex, to) > 0) return false;
   const double dx = from.x - to.x, dy = from.y - to.y;
-  // Shorter beyond the rounding of floats; nothing counts as shorter than what is too short for them.
-  const double surely_shorter = (dx * dx + dy * dy) * (1 - 1e-6);
+  // Nothing counts as shorter than what is too short for floats.
+  const double surely_shorter = (dx * dx + dy * dy) * (1 - kFloatMargin);
   for (Halfedge spoke = mesh_.rotate_left(wedge.first); spoke != wedge.last; spoke = mesh_.rotate_left(spoke)) {
     if (mesh_.record(edge_of(spoke)).squared_length < surely_shorter && surely_shorter > kMinTrustedFloat) {
       mesh_.marks(edge_of(spoke)) |= kWatchedMarks[spoke & 1];
@@ -239,7 +236,7 @@ void GreedyBuilder::insert_ear(const Candidate& ear) {
   if (is_split) return;
   if (mesh_.rotate_left(wedge.first) == wedge.last) {  // other insertions have made it a mesh edge
     const MeshEdge third = edge_of(mesh_.next(wedge.first));
-    if ((mesh_.marks(third) & kFixedMark) == 0) fix(third);
+    if (!is_fixed_edge(mesh_, third)) fix(third);
     return;
   }
   ++counters_.ears;
@@ -248,6 +245,12 @@ void GreedyBuilder::insert_ear(const Candidate& ear) {
   for (const MeshEdge e : insertion_.inner()) push_candidates_around(e);
   push_candidates_around(inserted);
   for (const Halfedge first : insertion_.unblocked()) look_for_ear({first, stars_.left_of(first)});
+}
+
+}  // namespace
+
+GreedyCounters build_greedy(PlanarMesh& mesh, const Context& context, std::size_t large_face) {
+  return GreedyBuilder(mesh, context, large_face).run();
 }
 
 }  // namespace mwt

@@ -22,7 +22,7 @@ std::vector<Edge> edges_by(const std::string& algorithm, Points points) {
 // Faces with more edges than that are treated as those that no cache holds.
 std::vector<Edge> edges_with_large_faces_from(std::size_t large_face, Points points) {
   PlanarMesh mesh = PlanarMesh::delaunay(points);
-  GreedyBuilder(mesh, Context{}, large_face).run();
+  build_greedy(mesh, Context{}, large_face);
   return edges_of(mesh.triangulation());
 }
 

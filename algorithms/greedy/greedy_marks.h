@@ -17,11 +17,21 @@ inline constexpr std::uint32_t kCandidateMark = 128;                    // waits
 inline constexpr std::uint32_t kEarsTakenMark = 1024;                   // certain ears of its face have been taken
 inline constexpr std::uint32_t kDividedMark = 2048;                     // certain edges of its face have been fixed
 inline constexpr std::uint32_t kLoweredMark = 4096;                     // has a new CrossingBounds
-inline constexpr std::uint32_t kCutMark = 8192;                         // its face has been cut by FaceCuts
 
 inline constexpr std::uint32_t kGreedyMarks = kFixedMark | kFlippedMark | kWatchedMarks[0] | kWatchedMarks[1] |
                                               kInnerMark | kFaceMark | kCandidateMark | kEarsTakenMark | kDividedMark |
-                                              kLoweredMark | kCutMark;
+                                              kLoweredMark;
 static_assert((kGreedyMarks & (kHullMark | kLastingMarks)) == 0);
+
+/// Whether greedy has chosen the edge.
+[[nodiscard]] inline bool is_fixed_edge(const PlanarMesh& mesh, MeshEdge e) {
+  return (mesh.marks(e) & kFixedMark) != 0;
+}
+[[nodiscard]] inline bool is_fixed(const PlanarMesh& mesh, Halfedge h) { return is_fixed_edge(mesh, edge_of(h)); }
+
+/// Whether the edge is inside the face at hand: one of those that were collected, and not fixed since.
+[[nodiscard]] inline bool is_inside_face(const PlanarMesh& mesh, MeshEdge e) {
+  return (mesh.marks(e) & (kFixedMark | kFaceMark)) == kFaceMark;
+}
 
 }  // namespace mwt

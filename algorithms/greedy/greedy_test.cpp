@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "algorithms/greedy/certified_edges.h"
 #include "geometry/checker.h"
 #include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/predicates.h"
@@ -83,26 +82,6 @@ TEST(Greedy, IsValidOnAllShapes) {
       EXPECT_FALSE(violation) << shape.name << " n=" << n << ": " << violation->message;
     }
   }
-}
-
-TEST(Greedy, CertifiedEdgesCrossNoShorterSegment) {
-  std::size_t certified = 0;
-  for (const ShapeFamily& shape : shapes()) {
-    const std::vector<Point> points = make_shape(shape, 25, 3);
-    const PlanarMesh mesh = PlanarMesh::delaunay(points);
-    for (MeshEdge e = 0; e < mesh.edge_count(); ++e) {
-      if (mesh.is_hull(e) || !is_certainly_greedy(mesh, e)) continue;
-      ++certified;
-      const Edge edge = mesh.labelled_edge(e);
-      for (Index p = 0; p < points.size(); ++p) {
-        for (Index q = p + 1; q < points.size(); ++q) {
-          if (!segments_cross(points[edge.a], points[edge.b], points[p], points[q]) || Edge{p, q} == edge) continue;
-          EXPECT_LT(compare_length(points[edge.a], points[edge.b], points[p], points[q]), 0) << shape.name;
-        }
-      }
-    }
-  }
-  EXPECT_GT(certified, 100U);
 }
 
 // A hub of high degree whose spokes are fixed one after the other, and a wheel around another wheel.

@@ -20,8 +20,8 @@ struct Angle {
   return {fx * tx + fy * ty, fx * ty - fy * tx};
 }
 
-/// The sum of two angles.
-[[nodiscard]] inline Angle operator*(const Angle& a, const Angle& b) {
+/// The sum of two angles: the product of the complex numbers.
+[[nodiscard]] inline Angle sum_of(const Angle& a, const Angle& b) {
   return {a.real * b.real - a.imaginary * b.imaginary, a.real * b.imaginary + a.imaginary * b.real};
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "geometry/mesh/margins.h"
 #include "geometry/numbers/trusted_range.h"
 #include "geometry/point.h"
 
@@ -30,13 +31,15 @@ namespace mwt {
 /// 2^-536 away, nothing to the margin at distances from 1e-140 on. Between them, the base of the triangle decides: one
 /// that is too short for its square says no.
 [[nodiscard]] inline bool is_surely_farther(const Point& c, const Point& u, const Point& v, double squared) {
-  constexpr double kMargin = 1 + 1e-12;
+  constexpr double kMargin = 1 + kProductMargin;
+  // Of the two products: each errs by 3 * 2^-53 of itself, their difference by 2^-53 more.
+  constexpr double kDeterminantError = 8e-16;
   const double ux = u.x - c.x, uy = u.y - c.y, vx = v.x - c.x, vy = v.y - c.y;
   const double wx = vx - ux, wy = vy - uy;
   if (ux * wx + uy * wy >= 0) return ux * ux + uy * uy > squared * kMargin;
   if (vx * wx + vy * wy <= 0) return vx * vx + vy * vy > squared * kMargin;
   const double left = ux * vy, right = uy * vx;
-  const double area = std::abs(left - right) - 8e-16 * (std::abs(left) + std::abs(right));
+  const double area = std::abs(left - right) - kDeterminantError * (std::abs(left) + std::abs(right));
   const double base = wx * wx + wy * wy, square_below = squared * base * kMargin;
   return area > 0 && area * area > square_below && is_trusted_product(base) && is_trusted_product(square_below);
 }

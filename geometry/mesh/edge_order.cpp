@@ -33,7 +33,8 @@ bool is_surely_shorter(const EdgeKey& one, const EdgeKey& two) {
   const DoubleDouble& b = two.squared_length;
   if (!is_trusted_product(a.high) || !is_trusted_product(b.high)) return false;
   if (one.exact && two.exact) return a < b;
-  return (a - b).high < -0x1p-95 * (a.high + b.high);
+  constexpr double kKeyMargin = 0x1p-95;  // each key errs by 2^-97 of itself, their difference by 2^-100
+  return (a - b).high < -kKeyMargin * (a.high + b.high);
 }
 
 EdgeKey EdgeOrder::key(Index a, Index b, std::uint32_t tag) const {

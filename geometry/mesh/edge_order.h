@@ -48,10 +48,10 @@ class EdgeOrder {
   /// Sorts edges whose lengths are hard to tell apart. O(m log m); faster where many are of one length.
   void sort(std::span<EdgeKey> edges) const;
 
-  /// Whether rounded squared lengths show which edge is shorter: each errs by less than 4.5e-16 of itself, unless they
-  /// leave the trusted range.
+  /// Whether rounded squared lengths show which edge is shorter, unless they leave the trusted range.
   [[nodiscard]] static bool surely_differ(double x, double y) {
-    return std::abs(x - y) > 1e-15 * (x + y) && is_trusted_product(x + y);
+    constexpr double kSquareError = 1e-15;  // each errs by less than 4.5e-16 of itself
+    return std::abs(x - y) > kSquareError * (x + y) && is_trusted_product(x + y);
   }
 
  private:

@@ -11,6 +11,8 @@ namespace {
 __extension__ using Wide = __int128;
 
 constexpr int kGridBits = 30;
+// Between these, kGridBits bits below the largest difference stay clear of denormal numbers, and nothing overflows.
+constexpr double kMinDifference = 1e-250, kMaxDifference = 1e250;
 
 // The differences to d as integers on a common grid, if they are exactly that. On success |values| <= 2^kGridBits.
 bool on_a_grid(const Point& a, const Point& b, const Point& c, const Point& d, std::array<std::int64_t, 6>& values) {
@@ -23,7 +25,7 @@ bool on_a_grid(const Point& a, const Point& b, const Point& c, const Point& d, s
     if (differences[i] + origin != ends[i] || ends[i] - differences[i] != origin) return false;
     largest = std::max(largest, std::abs(differences[i]));
   }
-  if (!(largest > 1e-250 && largest < 1e250)) return false;
+  if (!(largest > kMinDifference && largest < kMaxDifference)) return false;
   const int shift = kGridBits - 1 - std::ilogb(largest);
   for (std::size_t i = 0; i < 6; ++i) {
     const double scaled = std::scalbn(differences[i], shift);

@@ -73,7 +73,7 @@ class Grid {
     }
     half_side_ = std::max(top.x / 2 - corner_.x / 2, top.y / 2 - corner_.y / 2);  // halves: the side may overflow
     const double inverse = 0.5 / half_side_;
-    multiply_ = half_side_ > 1e-290 && half_side_ < 1e290;
+    multiply_ = half_side_ > kMinHalfSide && half_side_ < kMaxHalfSide;
     scale_ = multiply_ ? kLastCell * inverse : 0;
   }
 
@@ -83,6 +83,8 @@ class Grid {
 
  private:
   static constexpr double kLastCell = (1 << kGridBits) - 1;
+  // Between these neither the inverse, nor its multiple by kLastCell, nor the whole side overflows or is denormal.
+  static constexpr double kMinHalfSide = 1e-290, kMaxHalfSide = 1e290;
 
   [[nodiscard]] std::uint32_t cell(double coordinate, double start) const {
     if (multiply_) return static_cast<std::uint32_t>(std::min((coordinate - start) * scale_, kLastCell));

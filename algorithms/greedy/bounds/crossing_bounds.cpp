@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh/margins.h"
 #include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
@@ -10,7 +11,6 @@ namespace mwt {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr double kMargin = 1e-12;  // differences, products and sums err by a few 1e-16
 constexpr std::size_t kLargeStar = 64;
 
 template <class Vector>
@@ -26,7 +26,7 @@ double cross(const Vector& p, const Vector& q) {
 // Each bound's error is smaller than this margin, also where the products underflow.
 template <class Vector>
 double error(const Vector& p, const Vector& q) {
-  return kMargin * (p.squared_length + q.squared_length) + kMinTrustedProduct;
+  return kProductMargin * (p.squared_length + q.squared_length) + kMinTrustedProduct;
 }
 
 // Of the angle counter-clockwise from p to q, below a full turn. In doubt no.
@@ -102,7 +102,7 @@ CrossingBounds::Spoke CrossingBounds::spoke_to(Index apex, Index v, Turn turn) c
 // The nearest fixed halfedge clockwise from h; h if there is none.
 Halfedge CrossingBounds::first_of_wedge(Halfedge h) const {
   Halfedge first = h;
-  while (!is_fixed(first)) {
+  while (!is_fixed(mesh_, first)) {
     first = mesh_.rotate_right(first);
     if (first == h) break;
   }
@@ -116,8 +116,8 @@ void CrossingBounds::collect_wedge(Halfedge first) {
   do {
     h = mesh_.rotate_left(h);
     spokes_.push_back(spoke(h));
-  } while (!is_fixed(h) && h != first);
-  if (is_fixed(h)) return;
+  } while (!is_fixed(mesh_, h) && h != first);
+  if (is_fixed(mesh_, h)) return;
   const std::size_t degree = spokes_.size() - 1;
   for (std::size_t i = 1; i <= degree; ++i) {
     const Spoke again = spokes_[i];
@@ -131,15 +131,14 @@ void CrossingBounds::judge_star(Halfedge h) {
   const Halfedge start = first_of_wedge(h);
   Halfedge first = start;
   do {
-    const std::uint32_t marks = mesh_.marks(edge_of(mesh_.rotate_left(first)));
-    if ((marks & (kFixedMark | kFaceMark)) == kFaceMark) {
+    if (is_inside_face(mesh_, edge_of(mesh_.rotate_left(first)))) {
       collect_wedge(first);
       judge_wedge();
       for (const Spoke& s : spokes_) lower(s.halfedge, s.bound);
       first = spokes_.back().halfedge;
     } else {
       do first = mesh_.rotate_left(first);
-      while (!is_fixed(first));
+      while (!is_fixed(mesh_, first));
     }
   } while (first != start);
 }
@@ -159,7 +158,7 @@ bool CrossingBounds::judge_pairs() {
   if (by_length_.empty()) return true;
   std::sort(by_length_.begin(), by_length_.end(),
             [this](std::size_t i, std::size_t j) { return spokes_[i].squared_length > spokes_[j].squared_length; });
-  const double longest = spokes_[by_length_.front()].squared_length * (1 + kMargin);
+  const double longest = spokes_[by_length_.front()].squared_length * (1 + kProductMargin);
   std::size_t pairs_left = 16 * spokes_.size();
   std::size_t first_last = 2;
   for (std::size_t i = 0; i + 2 < spokes_.size(); ++i) {
@@ -176,7 +175,7 @@ bool CrossingBounds::judge_pairs() {
 
 void CrossingBounds::judge_pair(std::size_t first, std::size_t last) {
   const double dx = spokes_[first].x - spokes_[last].x, dy = spokes_[first].y - spokes_[last].y;
-  const double squared = (dx * dx + dy * dy) * (1 - kMargin);
+  const double squared = (dx * dx + dy * dy) * (1 - kProductMargin);
   for (const std::size_t i : by_length_) {
     if (spokes_[i].squared_length < squared) return;
     if (first < i && i < last) spokes_[i].bound = std::min(spokes_[i].bound, squared);
@@ -206,20 +205,20 @@ bool CrossingBounds::spread(std::size_t max_steps) {
 void CrossingBounds::look_through(Halfedge window, Turn turn) {
   const Halfedge right = mesh_.previous(window), left = twin(mesh_.next(window)), outer = twin(window);
   const Halfedge first = turn == Turn::left ? left : right;
-  if (is_fixed(first)) return;
+  if (is_fixed(mesh_, first)) return;
   if (!is_judged_[mesh_.origin(first)]) return;
   const Spoke near = spoke(first, turn), far = spoke(turn == Turn::left ? right : left, turn);
   const Halfedge near_side = turn == Turn::left ? mesh_.previous(outer) : mesh_.next(outer);
   const Halfedge far_side = turn == Turn::left ? mesh_.next(outer) : mesh_.previous(outer);
   const Spoke third = spoke_to(mesh_.origin(first), mesh_.apex(outer), turn);
-  const double least = std::max(std::min(near.squared_length, far.squared_length) * (1 - kMargin),
+  const double least = std::max(std::min(near.squared_length, far.squared_length) * (1 - kProductMargin),
                                 static_cast<double>(bounds_[edge_of(window)]));
   const bool hides_far_side = is_reflex(far, third), hides_near_side = is_reflex(third, near);
   const double hidden = std::min(hides_far_side ? kInfinite : beyond(far_side, least),
                                  hides_near_side ? kInfinite : beyond(near_side, least));
   if (hidden != kInfinite) look_past({far, near, hidden}, first, turn);
   if (hides_far_side || hides_near_side) return;
-  look_past({third, third, std::max(least, third.squared_length * (1 - kMargin))}, first, turn);
+  look_past({third, third, std::max(least, third.squared_length * (1 - kProductMargin))}, first, turn);
 }
 
 // How far at least the points beyond a side are that are `squared` away at least.
@@ -238,7 +237,8 @@ void CrossingBounds::look_past(const Sight& sight, Halfedge first, Turn turn) {
   for (std::size_t i = spokes_.size() - 1; i > 0; --i) {
     squared = std::min(squared, min_squared(sight, i, turn));
     const Spoke& between = spokes_[i - 1];
-    if (squared <= between.squared_length * (1 + kMargin)) lower(between.halfedge, squared * (1 - kMargin));
+    if (squared <= between.squared_length * (1 + kProductMargin))
+      lower(between.halfedge, squared * (1 - kProductMargin));
   }
 }
 
@@ -261,7 +261,7 @@ void CrossingBounds::collect_half_turn(const Sight& sight, Halfedge first, Turn 
   Halfedge h = first;
   do {
     spokes_.push_back(spoke(h, turn));
-    if (is_fixed(h) || is_reflex(sight.near, spokes_.back())) break;
+    if (is_fixed(mesh_, h) || is_reflex(sight.near, spokes_.back())) break;
     h = turn == Turn::left ? mesh_.rotate_left(h) : mesh_.rotate_right(h);
   } while (h != first && spokes_.size() <= kLargeStar);
   steps_ += spokes_.size();
@@ -283,10 +283,10 @@ double CrossingBounds::min_squared(const Sight& sight, std::size_t i, Turn turn)
 }
 
 void CrossingBounds::lower(Halfedge h, double bound) {
-  constexpr double kMin = kMinTrustedFloat, kMax = kMaxTrustedFloat, kFloatMargin = 1e-6;
+  constexpr double kMin = kMinTrustedFloat, kMax = kMaxTrustedFloat;
   if (bound == kInfinite) return;
   const MeshEdge e = edge_of(h);
-  if ((mesh_.marks(e) & (kFixedMark | kFaceMark)) != kFaceMark) return;
+  if (!is_inside_face(mesh_, e)) return;
   const float rounded = bound < kMin ? 0 : static_cast<float>(std::min(bound, kMax) * (1 - kFloatMargin));
   if (rounded >= bounds_[e]) return;
   bounds_[e] = rounded;

@@ -12,8 +12,8 @@
 namespace mwt {
 
 /// For each edge of a face a number below which no greedy edge that crosses it has its squared length; infinite for
-/// those that are certainly greedy. What can cross an edge is an ear at one of its ends (lemma 6 in README.md), so that
-/// the stars of the vertices tell (lemma 7).
+/// those that are certainly greedy. What can cross an edge is an ear at one of its ends (lemma 5 in PROOFS.md), so that
+/// the stars of the vertices tell (lemma 6).
 ///
 /// Floating point with a margin, rounded towards crossings: an edge that is said to be greedy is so under any tie rule.
 /// Preconditions of all: the mesh is a Delaunay triangulation constrained by the edges of kFixedMark, all greedy; the
@@ -30,9 +30,6 @@ class CrossingBounds {
 
   /// Whether e is certainly greedy. Precondition: e is of the face of the last find(), which succeeded.
   [[nodiscard]] bool is_certain(MeshEdge e) const { return bounds_[e] == kNeverCrossed; }
-
-  /// Frees the memory.
-  void forget() { bounds_.reset(); }
 
  private:
   static constexpr float kNeverCrossed = std::numeric_limits<float>::infinity();
@@ -52,8 +49,9 @@ class CrossingBounds {
     double squared;
   };
 
-  [[nodiscard]] bool is_fixed(Halfedge h) const { return (mesh_.marks(edge_of(h)) & kFixedMark) != 0; }
-  [[nodiscard]] bool may_be_crossed(Halfedge h) const { return !is_fixed(h) && bounds_[edge_of(h)] != kNeverCrossed; }
+  [[nodiscard]] bool may_be_crossed(Halfedge h) const {
+    return !is_fixed(mesh_, h) && bounds_[edge_of(h)] != kNeverCrossed;
+  }
   [[nodiscard]] Spoke spoke_to(Index apex, Index v, Turn turn) const;
   [[nodiscard]] Spoke spoke(Halfedge h, Turn turn = Turn::left) const;
   [[nodiscard]] Halfedge first_of_wedge(Halfedge h) const;

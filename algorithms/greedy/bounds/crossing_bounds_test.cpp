@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "algorithms/common/testing/extreme_points.h"
-#include "algorithms/greedy/certified_edges.h"
+#include "algorithms/greedy/bounds/certified_edges.h"
 #include "algorithms/greedy/testing/greedy_testing.h"
 
 namespace mwt {

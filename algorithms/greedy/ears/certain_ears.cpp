@@ -2,13 +2,17 @@
 
 #include <algorithm>
 
-#include "algorithms/greedy/greedy_marks.h"
+#include "algorithms/algorithm.h"
+#include "algorithms/greedy/ears/ear_insertion.h"
+#include "algorithms/greedy/faces/face_boundary.h"
+#include "algorithms/greedy/faces/fixed_stars.h"
+#include "algorithms/greedy/pockets/pockets.h"
 
 namespace mwt {
 
 bool CertainEars::take(std::span<const MeshEdge> face) {
-  FaceBoundary boundary(mesh_, face);
-  if (pockets_.is_promising(boundary)) pockets_.take(boundary);
+  FaceBoundary boundary(parts_.mesh, face);
+  if (are_pockets_promising(parts_, boundary)) inserted_ += take_pockets(parts_, boundary);
   std::size_t possible = 0;
   for (std::size_t first = 0; first < boundary.size() && !stopped_; first += kBlock) {
     for (std::size_t c = first; c < std::min(first + kBlock, boundary.size()); ++c) {
@@ -19,14 +23,13 @@ bool CertainEars::take(std::span<const MeshEdge> face) {
     look_at_waiting(boundary);
   }
   look_at_put_off(boundary, kStepsPerCorner * possible);
-  waiting_.shrink_to_fit();  // large faces are few, and the memory is needed for what comes next
   return !stopped_;
 }
 
 // First come, first served, so that short ears are taken before long ones: fewer edges are flipped again and again.
 void CertainEars::look_at_waiting(FaceBoundary& boundary) {
   for (std::size_t i = 0; i < waiting_.size() && !stopped_; ++i) {
-    if (++looks_ % 4096 == 0 && context_.deadline_passed()) stopped_ = true;
+    if (++looks_ % 4096 == 0 && parts_.context.deadline_passed()) stopped_ = true;
     look_at(boundary, waiting_[i], kFewSteps);
   }
   waiting_.clear();
@@ -40,7 +43,6 @@ void CertainEars::look_at_put_off(FaceBoundary& boundary, std::size_t max_steps)
     look_at_waiting(boundary);
   }
   put_off_.clear();
-  put_off_.shrink_to_fit();
 }
 
 // Takes the corner off if its ear is certain; then its neighbours and theirs are to be looked at.
@@ -67,11 +69,12 @@ bool CertainEars::is_certain(const FaceBoundary& boundary, Corner c, std::size_t
 
 void CertainEars::take_ear(FaceBoundary& boundary, Corner c) {
   const Wedge wedge = boundary.wedge(c);
-  const bool is_in_mesh = mesh_.rotate_left(wedge.first) == wedge.last;
+  const PlanarMesh& mesh = parts_.mesh;
+  const bool is_in_mesh = mesh.rotate_left(wedge.first) == wedge.last;
   inserted_ += is_in_mesh ? 0 : 1;
-  const MeshEdge ear = is_in_mesh ? edge_of(mesh_.next(wedge.first)) : insertion_.insert(wedge);
-  stars_.fix(ear);
-  const bool leaves_previous = mesh_.origin(2 * ear) == boundary.point(boundary.previous(c));
+  const MeshEdge ear = is_in_mesh ? edge_of(mesh.next(wedge.first)) : parts_.insertion.insert(wedge);
+  parts_.stars.fix(ear);
+  const bool leaves_previous = mesh.origin(2 * ear) == boundary.point(boundary.previous(c));
   boundary.cut(c, leaves_previous ? 2 * ear : 2 * ear + 1);
 }
 

@@ -4,14 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/algorithm.h"
-#include "algorithms/greedy/boundary/face_boundary.h"
-#include "algorithms/greedy/ears/ear_insertion.h"
 #include "algorithms/greedy/ears/ear_search.h"
-#include "algorithms/greedy/ears/pockets.h"
-#include "algorithms/greedy/faces/fixed_stars.h"
+#include "algorithms/greedy/greedy_parts.h"
 
 namespace mwt {
+
+class FaceBoundary;
 
 /// Cuts certain ears (EarSearch) off the boundary of a face and fixes them in the mesh. Corners are looked at in blocks
 /// that lie near each other, first come, first served; each ear that is taken brings the two corners on either side
@@ -19,14 +17,7 @@ namespace mwt {
 /// the others are done.
 class CertainEars {
  public:
-  CertainEars(PlanarMesh& mesh, const EdgeOrder& order, FixedStars& stars, EarInsertion& insertion,
-              const Context& context)
-      : mesh_(mesh),
-        pockets_(mesh, order, stars, insertion, context),
-        search_(mesh, order),
-        stars_(stars),
-        insertion_(insertion),
-        context_(context) {}
+  explicit CertainEars(const GreedyParts& parts) : parts_(parts), search_(parts.mesh, parts.order) {}
 
   /// `face`: all edges inside the face, none of them fixed; it still holds all of them afterwards. Linear time as far
   /// as the search is concerned: long searches are given up when they took 4 steps per corner that may be an ear. False
@@ -34,7 +25,7 @@ class CertainEars {
   bool take(std::span<const MeshEdge> face);
 
   /// Ears taken so far that were no edges of the mesh before.
-  [[nodiscard]] std::size_t inserted() const { return inserted_ + pockets_.inserted(); }
+  [[nodiscard]] std::size_t inserted() const { return inserted_; }
 
  private:
   static constexpr std::size_t kBlock = 4096;        // so many corners, with their surroundings, fit the cache
@@ -47,12 +38,8 @@ class CertainEars {
   [[nodiscard]] bool is_certain(const FaceBoundary& boundary, Corner c, std::size_t max_steps);
   void take_ear(FaceBoundary& boundary, Corner c);
 
-  PlanarMesh& mesh_;
-  Pockets pockets_;
+  GreedyParts parts_;
   EarSearch search_;
-  FixedStars& stars_;
-  EarInsertion& insertion_;
-  const Context& context_;
   KeptVector<Corner> waiting_;  // to be looked at
   KeptVector<Corner> put_off_;  // to be looked at with more patience, once nothing else waits
   std::size_t inserted_ = 0;

@@ -1,5 +1,7 @@
 #include "algorithms/greedy/ears/ear_insertion.h"
 
+#include "algorithms/greedy/faces/fixed_stars.h"
+#include "algorithms/greedy/greedy_marks.h"
 #include "geometry/mesh/in_circle.h"
 #include "geometry/predicates.h"
 
@@ -42,7 +44,7 @@ MeshEdge EarInsertion::flip_out(const Wedge& wedge) {
 
 // Lawson's flips on the edges in inner_, which are all that insertion can have disturbed.
 void EarInsertion::restore_delaunay() {
-  std::erase_if(inner_, [this](MeshEdge e) { return (mesh_.marks(e) & kFixedMark) != 0; });
+  std::erase_if(inner_, [this](MeshEdge e) { return is_fixed_edge(mesh_, e); });
   if (inner_.empty()) return;
   for (const MeshEdge e : inner_) mesh_.marks(e) |= kInnerMark;
   suspects_ = inner_;

@@ -4,11 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "algorithms/greedy/faces/fixed_stars.h"
-#include "algorithms/greedy/wedge.h"
+#include "algorithms/greedy/faces/wedge.h"
 #include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
+
+class FixedStars;
 
 /// One insertion after the other; keeps its arrays.
 class EarInsertion {

@@ -4,6 +4,7 @@
 
 #include "algorithms/greedy/greedy_marks.h"
 #include "geometry/mesh/distance.h"
+#include "geometry/mesh/margins.h"
 #include "geometry/numbers/trusted_range.h"
 #include "geometry/predicates.h"
 
@@ -74,7 +75,7 @@ bool EarSearch::search() {
 // Remembers the window if something that stands against the ear may be seen through it; false when there are too many.
 bool EarSearch::open(const Window& window, Reach third) {
   const bool is_outside = window.from.side != 0 && window.from.side == window.to.side;
-  if (is_outside || (mesh_.marks(edge_of(window.inner)) & kFixedMark) != 0) return true;
+  if (is_outside || is_fixed(mesh_, window.inner)) return true;
   // Lemma 4: with the third corner of its triangle inside and these two outside, all beyond the window is outside.
   const bool both_outside = window.from.reach == Reach::outside && window.to.reach == Reach::outside;
   if (both_outside && third == Reach::inside) return true;
@@ -102,10 +103,9 @@ int EarSearch::side_of(const Point& p) const {
 }
 
 EarSearch::Reach EarSearch::rounded_reach(const Point& p) const {
-  constexpr double kMargin = 1e-14;  // each side errs by less than 4.5e-16 of itself
   const double squared = rounded_squared_distance(apex_, p);
-  if (squared > squared_length_ * (1 + kMargin)) return Reach::outside;
-  return squared < squared_length_ * (1 - kMargin) ? Reach::inside : Reach::unclear;
+  if (squared > squared_length_ * (1 + kSquareMargin)) return Reach::outside;
+  return squared < squared_length_ * (1 - kSquareMargin) ? Reach::inside : Reach::unclear;
 }
 
 EarSearch::Reach EarSearch::exact_reach(Index v) const {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "algorithms/greedy/wedge.h"
+#include "algorithms/greedy/faces/wedge.h"
 #include "geometry/mesh/edge_order.h"
 #include "geometry/mesh/planar_mesh.h"
 
@@ -27,7 +27,7 @@ class EarSearch {
 
   /// Whether the wedge's third side ab is certainly greedy: the angle at its apex c is convex and not acute, the closed
   /// triangle abc holds no other point, and ab precedes every edge from c through ab to a point visible from c. Only
-  /// such edges cross ab without crossing a fixed edge (lemma 3 in README.md).
+  /// such edges cross ab without crossing a fixed edge (lemma 3 in PROOFS.md).
   ///
   /// Searches the triangles behind ab that may come nearer to c than |ab|; gives up, with no, after `max_steps`. Exact
   /// where it says yes. Precondition: the mesh is a Delaunay triangulation constrained by the edges of kFixedMark, all

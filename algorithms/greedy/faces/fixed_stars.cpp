@@ -8,17 +8,17 @@ FixedStars::Neighbours FixedStars::linked_neighbours(Halfedge h) {
     links_.resize(2 * mesh_.edge_count());
   }
   if (!is_linked_[mesh_.origin(h)]) link_star(h);
-  return is_fixed(h) ? links_[h] : find_neighbours(h);
+  return is_fixed(mesh_, h) ? links_[h] : find_neighbours(h);
 }
 
 // Those of a halfedge that has no links itself: the nearer one by scanning, the other one by its links.
 FixedStars::Neighbours FixedStars::find_neighbours(Halfedge h) const {
   Halfedge left = mesh_.rotate_left(h), right = mesh_.rotate_right(h);
-  while (!is_fixed(left) && !is_fixed(right)) {
+  while (!is_fixed(mesh_, left) && !is_fixed(mesh_, right)) {
     left = mesh_.rotate_left(left);
     right = mesh_.rotate_right(right);
   }
-  return is_fixed(left) ? Neighbours{left, links_[left].right} : Neighbours{links_[right].left, right};
+  return is_fixed(mesh_, left) ? Neighbours{left, links_[left].right} : Neighbours{links_[right].left, right};
 }
 
 void FixedStars::link(Halfedge h) {
@@ -32,10 +32,10 @@ void FixedStars::link(Halfedge h) {
 void FixedStars::link_star(Halfedge h) {
   is_linked_[mesh_.origin(h)] = true;
   Halfedge first = h;
-  while (!is_fixed(first)) first = mesh_.rotate_left(first);
+  while (!is_fixed(mesh_, first)) first = mesh_.rotate_left(first);
   Halfedge before = first;
   for (Halfedge spoke = mesh_.rotate_left(first);; spoke = mesh_.rotate_left(spoke)) {
-    if (!is_fixed(spoke)) continue;
+    if (!is_fixed(mesh_, spoke)) continue;
     links_[before].left = spoke;
     links_[spoke].right = before;
     before = spoke;

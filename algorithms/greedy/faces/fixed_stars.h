@@ -22,7 +22,7 @@ class FixedStars {
     if (is_linked(h)) return linked_neighbours(h).left;
     Halfedge other = mesh_.rotate_left(h);
     for (int steps = 0; steps < kScanLimit; ++steps, other = mesh_.rotate_left(other)) {
-      if (is_fixed(other)) return other;
+      if (is_fixed(mesh_, other)) return other;
     }
     return linked_neighbours(h).left;
   }
@@ -30,12 +30,10 @@ class FixedStars {
     if (is_linked(h)) return linked_neighbours(h).right;
     Halfedge other = mesh_.rotate_right(h);
     for (int steps = 0; steps < kScanLimit; ++steps, other = mesh_.rotate_right(other)) {
-      if (is_fixed(other)) return other;
+      if (is_fixed(mesh_, other)) return other;
     }
     return linked_neighbours(h).right;
   }
-
-  [[nodiscard]] bool is_fixed(Halfedge h) const { return (mesh_.marks(edge_of(h)) & kFixedMark) != 0; }
 
   /// Fixes an edge: marks it and makes it known to the stars of its ends.
   void fix(MeshEdge e) {

@@ -1,4 +1,4 @@
-#include "algorithms/greedy/boundary/face_boundary.h"
+#include "algorithms/greedy/faces/face_boundary.h"
 
 #include <limits>
 #include <utility>
@@ -23,15 +23,13 @@ FaceBoundary::FaceBoundary(const PlanarMesh& mesh, std::span<const MeshEdge> fac
   }
 }
 
-bool FaceBoundary::is_fixed(Halfedge h) const { return (mesh_.marks(edge_of(h)) & kFixedMark) != 0; }
-
 // Every fixed halfedge with the face on its left, once or twice.
 template <typename Visit>
 void FaceBoundary::for_each_side(std::span<const MeshEdge> face, Visit visit) const {
   for (const MeshEdge e : face) {
     for (const Halfedge h : {2 * e, 2 * e + 1}) {
-      if (const Halfedge right = mesh_.rotate_right(h); is_fixed(right)) visit(right);
-      const bool is_wedge_of_triangle = is_fixed(mesh_.next(h)) && is_fixed(mesh_.previous(h));
+      if (const Halfedge right = mesh_.rotate_right(h); is_fixed(mesh_, right)) visit(right);
+      const bool is_wedge_of_triangle = is_fixed(mesh_, mesh_.next(h)) && is_fixed(mesh_, mesh_.previous(h));
       if (is_wedge_of_triangle) visit(mesh_.previous(h));
     }
   }
@@ -39,7 +37,7 @@ void FaceBoundary::for_each_side(std::span<const MeshEdge> face, Visit visit) co
 
 Halfedge FaceBoundary::side_after(Halfedge side) const {
   Halfedge h = mesh_.next(side);
-  while (!is_fixed(h)) h = mesh_.rotate_right(h);
+  while (!is_fixed(mesh_, h)) h = mesh_.rotate_right(h);
   return h;
 }
 

@@ -1,18 +1,12 @@
 // The boundary of a face between fixed edges, as corners in a row: what certain ears are cut from.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
-#include <vector>
 
-#include "algorithms/greedy/wedge.h"
+#include "algorithms/greedy/faces/wedge.h"
 #include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
-
-/// A place on the boundary, named by its number. A point has as many corners as the face comes to it.
-using Corner = std::uint32_t;
 
 /// The corners of a face, linked in cycles: one outer cycle, and one around each hole and each loose tree of fixed
 /// edges. Along a cycle the face is to the left, so that its numbers run along the boundary at first, and memory does
@@ -76,7 +70,6 @@ class FaceBoundary {
   void for_each_side(std::span<const MeshEdge> face, Visit visit) const;
   [[nodiscard]] Halfedge side_after(Halfedge side) const;
   [[nodiscard]] Cycles cycles_of(std::span<const MeshEdge> face) const;
-  [[nodiscard]] bool is_fixed(Halfedge h) const;
 
   const PlanarMesh& mesh_;
   KeptVector<Link> corners_;

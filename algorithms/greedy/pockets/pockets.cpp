@@ -1,22 +1,52 @@
-#include "algorithms/greedy/ears/pockets.h"
+#include "algorithms/greedy/pockets/pockets.h"
 
 #include <algorithm>
-#include <cstddef>
+
+#include "algorithms/algorithm.h"
+#include "algorithms/greedy/pockets/boundary_stretch.h"
+#include "algorithms/greedy/pockets/distant_ears.h"
+#include "algorithms/greedy/pockets/pocket_insertion.h"
 
 namespace mwt {
 
+namespace {
+
+class Pockets {
+ public:
+  Pockets(const GreedyParts& parts, std::size_t stretch)
+      : context_(parts.context),
+        size_(stretch),
+        stretch_(parts.mesh),
+        ears_(parts.mesh, parts.order, stretch_),
+        insertion_(parts, stretch_) {}
+
+  std::size_t take(FaceBoundary& boundary);
+
+ private:
+  static constexpr int kOverlap = 40;  // so many corners that are left, on either side of a stretch
+
+  [[nodiscard]] bool take_stretch(FaceBoundary& boundary, std::size_t from);
+  void cut_ears(Corner first, Corner last);
+  void wait(Corner c);
+
+  const Context& context_;
+  std::size_t size_;  // of a stretch
+  BoundaryStretch stretch_;
+  DistantEars ears_;
+  PocketInsertion insertion_;
+  KeptVector<Corner> waiting_;  // corners to be looked at
+  std::size_t inserted_ = 0;
+};
+
 // Back to the stretch before where that has got another neighbour.
-void Pockets::take(FaceBoundary& boundary, std::size_t stretch) {
-  size_ = stretch;
+std::size_t Pockets::take(FaceBoundary& boundary) {
   ears_.begin(boundary.size());
   const auto is_over = [this] { return context_.deadline_passed() || ears_.is_hopeless(); };
   for (std::size_t last = 0; last < boundary.size() && !is_over(); last += size_) {
     std::size_t from = last;
     while (take_stretch(boundary, from) && from > 0 && !is_over()) from -= size_;
   }
-  stretch_.leave();
-  waiting_.clear();
-  waiting_.shrink_to_fit();
+  return inserted_;
 }
 
 // Whether the first corner of the stretch that was left is gone or has another neighbour now. Ears grow along a
@@ -59,6 +89,17 @@ void Pockets::wait(Corner c) {
   if (!stretch_.is_inside(c) || stretch_.room(c).is_waiting) return;
   stretch_.room(c).is_waiting = true;
   waiting_.push_back(c);
+}
+
+}  // namespace
+
+bool are_pockets_promising(const GreedyParts& parts, FaceBoundary& boundary) {
+  BoundaryStretch stretch(parts.mesh);
+  return DistantEars(parts.mesh, parts.order, stretch).is_promising(boundary);
+}
+
+std::size_t take_pockets(const GreedyParts& parts, FaceBoundary& boundary, std::size_t stretch) {
+  return Pockets(parts, stretch).take(boundary);
 }
 
 }  // namespace mwt

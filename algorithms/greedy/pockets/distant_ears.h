@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
-#include "algorithms/greedy/boundary/boundary_stretch.h"
+#include "algorithms/greedy/faces/wedge.h"
 #include "geometry/mesh/edge_order.h"
 
 namespace mwt {
+
+class BoundaryStretch;
+class FaceBoundary;
 
 /// What cuts off corner c: the edge from b, previous on the boundary, to a, the next.
 struct DistantEar {
@@ -33,7 +35,7 @@ class DistantEars {
   /// Allows as much time for short spokes as a boundary of so many corners is worth.
   void begin(std::size_t corners);
 
-  /// Whether the ear is certainly greedy, by lemma 9 of README.md: the corner is convex and not acute; along the
+  /// Whether the ear is certainly greedy, by lemma 8 of PROOFS.md: the corner is convex and not acute; along the
   /// boundary to either side, the first corner beyond a and b that is not out of sight is farther from c than the ear
   /// is long; and no spoke of the corners on the way, hidden ones included, is as short as the ear, leads as near to c
   /// and leaves this neighbourhood. Exact where it says yes. O(1) unless there are short spokes or the boundary doubles

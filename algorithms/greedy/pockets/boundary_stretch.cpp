@@ -1,4 +1,4 @@
-#include "algorithms/greedy/boundary/boundary_stretch.h"
+#include "algorithms/greedy/pockets/boundary_stretch.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ void BoundaryStretch::enter(FaceBoundary& boundary, Corner first, Corner last) {
   first_ = first;
   rooms_.clear();
   for (Corner c = first; c < last; ++c) {
-    rooms_.push_back({kUnknown, kFar, kNone, kNone, boundary.previous(c), boundary.next(c), kNone, false, false});
+    rooms_.push_back({kUnknown, kFar, kNone, kNone, boundary.previous(c), boundary.next(c), kNone, false});
   }
 }
 
@@ -36,10 +36,7 @@ bool BoundaryStretch::faces(Corner c, const Point& p) const {
 
 void BoundaryStretch::cut(Corner c, float next, float previous, float pocket) {
   Room &here = room(c), &before = room(boundary_->previous(c));
-  const auto is_convex = [this](Corner apex) { return apex == kNone || room(apex).is_convex; };
   here.left = before.apex;
-  here.is_convex =
-      orientation(point(here.before), point(c), point(here.after)) > 0 && is_convex(here.left) && is_convex(here.apex);
   before.apex = c;
   before.pocket = pocket;
   before.clearance = previous;

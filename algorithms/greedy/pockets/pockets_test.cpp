@@ -1,4 +1,4 @@
-#include "algorithms/greedy/ears/pockets.h"
+#include "algorithms/greedy/pockets/pockets.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,15 @@
 #include <numbers>
 #include <random>
 
-#include "algorithms/greedy/certified_edges.h"
+#include "algorithms/greedy/bounds/certified_edges.h"
+#include "algorithms/greedy/ears/ear_insertion.h"
+#include "algorithms/greedy/faces/face_boundary.h"
+#include "algorithms/greedy/faces/fixed_stars.h"
 #include "algorithms/greedy/greedy_builder.h"
+#include "algorithms/greedy/greedy_marks.h"
 #include "algorithms/greedy/testing/greedy_testing.h"
 #include "geometry/checker.h"
-#include "geometry/mesh/in_circle.h"
+#include "geometry/mesh/edge_order.h"
 
 namespace mwt {
 
@@ -21,18 +25,6 @@ struct Taken {
   std::vector<Edge> fixed;
   std::size_t ears = 0;
 };
-
-// Every fixed edge but the hull's, and none else, may be one whose discs hold visible points.
-void expect_constrained_delaunay(const PlanarMesh& mesh, const std::string& what) {
-  for (MeshEdge e = 0; e < mesh.edge_count(); ++e) {
-    if (mesh.is_hull(e) || (mesh.marks(e) & kFixedMark) != 0) continue;
-    const Halfedge h = 2 * e;
-    EXPECT_LE(fast_in_circle(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)), mesh.point(mesh.apex(h)),
-                             mesh.point(mesh.apex(h + 1))),
-              0)
-        << what;
-  }
-}
 
 // Takes what pockets there are from all faces at once, between the hull's edges and the certified ones if asked for.
 Taken take(Points points, bool fixes_certified, std::size_t stretch, const std::string& what) {
@@ -48,16 +40,10 @@ Taken take(Points points, bool fixes_certified, std::size_t stretch, const std::
   FixedStars stars(mesh);
   EarInsertion insertion(mesh, stars);
   FaceBoundary boundary(mesh, face);
-  Pockets pockets(mesh, order, stars, insertion, context);
-  pockets.take(boundary, stretch);
-  expect_constrained_delaunay(mesh, what);
+  const std::size_t ears = take_pockets({mesh, order, stars, insertion, context}, boundary, stretch);
+  test::expect_constrained_delaunay(mesh, what);
   EXPECT_FALSE(find_violation(points, mesh.triangulation())) << what;
-  Taken taken{{}, pockets.inserted()};
-  for (MeshEdge e = 0; e < mesh.edge_count(); ++e) {
-    if ((mesh.marks(e) & kFixedMark) != 0) taken.fixed.push_back(mesh.labelled_edge(e));
-  }
-  std::sort(taken.fixed.begin(), taken.fixed.end());
-  return taken;
+  return {test::fixed_edges(mesh), ears};
 }
 
 // Returns how many ears were taken.
@@ -115,7 +101,7 @@ TEST(PocketsSlow, EarsOfManyCurvesAreGreedy) {
 TEST(Pockets, HoldNearlyAllEarsOfASpiral) {
   const std::vector<Point> points = generate("spiral", 20'000, 1, {});
   PlanarMesh mesh = PlanarMesh::delaunay(points);
-  const std::size_t ears = GreedyBuilder(mesh, Context{}).run().ears;
+  const std::size_t ears = build_greedy(mesh, Context{}).ears;
   for (const std::size_t stretch : {1000U, 65536U}) {
     EXPECT_GT(take(points, true, stretch, "spiral").ears, ears * 8 / 10) << stretch << " of " << ears;
   }

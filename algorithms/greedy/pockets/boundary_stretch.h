@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "algorithms/greedy/boundary/face_boundary.h"
+#include "algorithms/greedy/faces/face_boundary.h"
 #include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
@@ -25,7 +25,6 @@ class BoundaryStretch {
     Corner before;    ///< the previous corner before the first cut
     Corner after;     ///< the next corner before the first cut
     Halfedge side;    ///< of its ear, from the previous corner to the next; kNone until it is in the mesh
-    bool is_convex;   ///< once cut: the boundary turned left here and at all corners that its ear hides
     bool is_waiting;
   };
 
@@ -33,12 +32,6 @@ class BoundaryStretch {
 
   /// O(last - first).
   void enter(FaceBoundary& boundary, Corner first, Corner last);
-
-  /// Gives the memory back.
-  void leave() {
-    rooms_.clear();
-    rooms_.shrink_to_fit();
-  }
 
   [[nodiscard]] bool is_inside(Corner c) const { return c - first_ < rooms_.size(); }
   [[nodiscard]] Room& room(Corner c) { return rooms_[c - first_]; }

@@ -1,8 +1,10 @@
-#include "algorithms/greedy/ears/distant_ears.h"
+#include "algorithms/greedy/pockets/distant_ears.h"
 
 #include <algorithm>
 
+#include "algorithms/greedy/pockets/boundary_stretch.h"
 #include "geometry/mesh/distance.h"
+#include "geometry/mesh/margins.h"
 #include "geometry/numbers/trusted_range.h"
 #include "geometry/predicates.h"
 
@@ -39,7 +41,7 @@ bool DistantEars::is_certain(DistantEar& ear) {
   if (!stretch_.is_inside(ear.c) || !stretch_.is_inside(ear.a) || !stretch_.is_inside(ear.b)) return false;
   const Point &a = stretch_.point(ear.a), &b = stretch_.point(ear.b), &c = stretch_.point(ear.c);
   ear.squared_length = rounded_squared_distance(a, b);
-  ear.enough = ear.squared_length * (1 + 1e-6);  // a margin for the rounding of floats
+  ear.enough = ear.squared_length * (1 + kFloatMargin);
   if (!is_trusted_float(ear.squared_length) || orientation(c, a, b) <= 0) return false;
   const auto next = [this](Corner x) { return stretch_.next(x); };
   const auto previous = [this](Corner x) { return stretch_.previous(x); };
@@ -67,10 +69,9 @@ bool DistantEars::is_in_view(const DistantEar& ear, Corner x) const {
 
 // Whether the ear precedes the edge from its apex to another corner. Exact.
 bool DistantEars::precedes(const DistantEar& ear, Corner x) const {
-  constexpr double kMargin = 1e-14;  // each side errs by less than 4.5e-16 of itself
   const double squared = rounded_squared_distance(stretch_.point(ear.c), stretch_.point(x));
-  if (ear.squared_length * (1 + kMargin) < squared) return true;
-  if (ear.squared_length > squared * (1 + kMargin)) return false;
+  if (ear.squared_length * (1 + kSquareMargin) < squared) return true;
+  if (ear.squared_length > squared * (1 + kSquareMargin)) return false;
   const FaceBoundary& boundary = stretch_.boundary();
   return order_.precedes(order_.key(boundary.point(ear.a), boundary.point(ear.b)),
                          order_.key(boundary.point(ear.c), boundary.point(x)));
