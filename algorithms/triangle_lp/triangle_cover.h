@@ -40,7 +40,7 @@ struct TriangleCover {
   /// Certified bounds on the weight of the lightest cover by candidates, every edge once; infinite above without a
   /// cover.
   Interval optimum;
-  bool proved = false;  ///< relative width of `optimum` at most 1e-12
+  bool proved = false;  ///< relative width of `optimum` at most kProvedRelativeWidth
   /// Why a cover was not proved lightest: the deadline, or rounding in the linear programs.
   std::optional<StopReason> stop_reason;
   std::uint64_t programs = 0;    ///< linear programs solved

@@ -15,7 +15,7 @@ namespace mwt {
 struct FaceSolution {
   std::vector<Triangle> triangles;  ///< of all faces, in the graph's indices; a complete triangulation
   Interval optimum;                 ///< certified bounds on the weight of a minimum weight triangulation of the points
-  bool proved = false;              ///< every face solved and relative width of `optimum` at most 1e-12
+  bool proved = false;              ///< every face solved and relative width of `optimum` at most kProvedRelativeWidth
 
   std::uint64_t faces = 0;                ///< that are no triangles
   std::uint64_t max_face = 0;             ///< edges on the longest boundary walk, both sides of slits counted

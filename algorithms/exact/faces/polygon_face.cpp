@@ -20,14 +20,12 @@ constexpr std::uint32_t kNoPosition = std::numeric_limits<std::uint32_t>::max();
 // Up to this many corners a vertex's position is found by looking at all of them.
 constexpr std::size_t kSmallFace = 32;
 
-// What a sum of two values' high parts may be above the least such sum without being surely worse. Each value rounded
-// to double errs by 2^-53 of itself (its own error of 2^-80 or less disappears in the slack), so does their sum:
-// two sums that differ by more than 4.1 * 2^-53 of themselves are in true order. Among sums that underflow all are
-// close.
+// The largest sum of two values' high parts that is not surely worse than the least such sum. Among sums that underflow
+// all are close.
 double close_above(double least) {
   if (least == 0) return 0;
   if (least < kMinTrustedLength) return std::numeric_limits<double>::max();
-  return least + least * 0x1p-50;
+  return least + least * kRoundedSumMargin;
 }
 
 }  // namespace

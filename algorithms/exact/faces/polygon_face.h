@@ -69,7 +69,8 @@ class PolygonFaceSolver {
     Cell left = 0;
     Cell right = 0;
   };
-  struct Interval {
+  // A cell and the position its interval begins at.
+  struct PlacedCell {
     Position from;
     Cell cell;
   };
@@ -119,7 +120,7 @@ class PolygonFaceSolver {
   std::vector<Cell> row_cell_;
 
   std::vector<Option> close_;
-  std::vector<Interval> stack_;
+  std::vector<PlacedCell> stack_;
   std::vector<Edge> one_;
   std::vector<Edge> other_;
 };
