@@ -1,4 +1,5 @@
-// The diamond test's inner loops, on vectors: chosen at run time for the machine's instruction set (Google Highway).
+// The diamond test's inner loops, on vectors: compiled once per instruction set, of which the program picks one when it
+// runs (Google Highway). diamond_scalar.h is the same algorithm in plain loops.
 #pragma once
 
 #include <array>
@@ -64,5 +65,9 @@ struct CandidateSearch {
 /// exclude by the diamond test, and that no near point occludes (lies on). Returns how many; `out` must have room for
 /// all pairs.
 std::size_t append_candidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out);
+
+/// For tests: the same by the loops of diamond_scalar.h, with the rounding of the instruction set in use.
+void compute_dead_distances_plainly(const NearPoints& near, std::span<DeadDistances> of_leaf_points);
+std::size_t append_candidates_plainly(const CandidateSearch& search, Index first, Index last, CandidatePair* out);
 
 }  // namespace mwt
