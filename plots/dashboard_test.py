@@ -2,7 +2,7 @@
 """Tests the dashboard as its readers use it: plots/dashboard_test.py MWT
 
 Tracks 40 synthetic nightly runs, makes their dashboard and looks at it in a headless Chromium. Exit code 77 (skipped) without
-Chromium.
+Chromium or Selenium.
 """
 import json
 import math
@@ -14,8 +14,8 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
-import chromium  # noqa: E402  (beside this file)
-from page_testing import PageTestCase, main, program, run  # noqa: E402
+import browser  # noqa: E402  (beside this file)
+from page_testing import Keys, PageTestCase, main, program, run  # noqa: E402
 
 NIGHTLY_RUNS, CHANGED = 40, 25
 COLUMNS = ("schema_version,study,env_id,recorded_at,git_commit,algorithm,params,generator,n,seed,repetition,threads,status,"
@@ -53,7 +53,7 @@ class DashboardTest(PageTestCase):
         cls.home = home
         cls.page = home / "dashboard.html"
         run(HERE / "make_dashboard.py", home / "series.json", "-o", cls.page)
-        cls.browser = cls.enterClassContext(chromium.Browser())
+        cls.browser = cls.enterClassContext(browser.Browser())
 
     def choose(self, title, value):
         self.value(f"(() => {{ const label = [...document.querySelectorAll('#series-choices label')].find((l) => l.textContent.startsWith({title!r}));"
@@ -125,9 +125,9 @@ class DashboardTest(PageTestCase):
 
     def test_keyboard_tells_commit_and_value(self):
         self.value("document.querySelector('.sparkline svg').focus()")
-        self.browser.press("Home", 36)
+        self.browser.press(Keys.HOME)
         self.assertIn("2026-01-01, commit 0000000000: ", self.texts(".sparkline output")[0])
-        self.browser.press("ArrowRight", 39)
+        self.browser.press(Keys.ARROW_RIGHT)
         self.assertIn("2026-01-02", self.texts(".sparkline output")[0])
 
     def test_pointing_tells_commit_and_value(self):

@@ -2,7 +2,8 @@
 """Tests the page of a study of one's own, with an algorithm and a family of one's own: plots/foreign_page_test.py MWT
 
 Runs a small study, puts a copy of an algorithm under a new name, a renamed family and a failed run into its records, makes
-the page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium.
+the page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium or
+Selenium.
 """
 import csv
 import pathlib
@@ -11,7 +12,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
-import chromium  # noqa: E402  (beside this file)
+import browser  # noqa: E402  (beside this file)
 from page_testing import PageTestCase, main, program, run  # noqa: E402
 
 OWN_ALGORITHM, OWN_FAMILY = "my_heuristic", "my_family"
@@ -60,7 +61,7 @@ class ForeignPageTest(PageTestCase):
         run(HERE / "make_page.py", results)
         cls.results = results
         cls.page = results / "report.html"
-        cls.browser = cls.enterClassContext(chromium.Browser())
+        cls.browser = cls.enterClassContext(browser.Browser())
 
     def test_nothing_is_said_about_the_report(self):
         words = ("1.1–1.5", "report’s band", "report's band", "the report on greedy", "undecided", "Verdict", "hull insertion")

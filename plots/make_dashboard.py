@@ -12,10 +12,13 @@ import os
 import pathlib
 
 from library import html_page
-from library.html_page import escape
+from library.html_page import Section
 
 TITLE = "Minimum weight triangulation: night by night"
-LIBRARY = pathlib.Path(html_page.__file__).parent
+SECTIONS = [
+    Section("changes", "What changed", "dashboard/changes.html"),
+    Section("series", "Every series", "dashboard/series.html"),
+]
 KEPT_DIGITS = 7
 
 
@@ -71,40 +74,27 @@ def series_data(history):
         series.append(kept)
     series.sort(key=lambda one: -one["steps"][-1]["nightly_run"] if one["steps"] else 1)
     nightly_runs = [{"date": nightly_run["recorded_at"][:10], "commit": nightly_run["commit"]} for nightly_run in history.nightly_runs]
-    return json.dumps({"nightly_runs": nightly_runs, "series": series}, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/")
+    return html_page.json_script({"nightly_runs": nightly_runs, "series": series})
 
 
-def change_item(history, change):
-    kind, badge = ("regression", "bad") if change["regression"] else ("improvement", "good")
-    told = change["text"].replace(f" {kind} ", " ", 1)
-    return (f'<li><span class="badge {badge}">{kind}</span><span class="told">{escape(told)}</span>'
-            f'<a href="#series" data-algorithm="{escape(history.algorithms[change["algorithm"]])}" data-measure="{escape(change["steps"][0]["measure"])}">'
-            "show</a></li>")
+def changes_of(history):
+    """What templates/dashboard/changes.html shows of every change, the latest first."""
+    changes = []
+    for change in sorted(history.changes, key=lambda change: -change["nightly_run"]):
+        kind, colour = ("regression", "bad") if change["regression"] else ("improvement", "good")
+        changes.append(
+            {
+                "kind": kind,
+                "colour": colour,
+                "text": change["text"].replace(f" {kind} ", " ", 1),
+                "algorithm": history.algorithms[change["algorithm"]],
+                "measure": change["steps"][0]["measure"],
+            }
+        )
+    return changes
 
 
-def changes_section(history):
-    if not history.changes:
-        return f"<p>Nothing has changed for good in {len(history.own_nightly_runs)} nightly runs.</p>"
-    latest_first = sorted(history.changes, key=lambda change: -change["nightly_run"])
-    return '<ul class="changes">' + "\n".join(change_item(history, change) for change in latest_first) + "</ul>"
-
-
-def series_section(history):
-    return ('<p class="soft">One line per algorithm, family and size, all seeds together; dashed where it stepped. relative_time is the time '
-            "divided by that of CGAL’s Delaunay triangulation in the same run. Every line has a scale of its own, which need not begin at zero "
-            "and leaves single spikes out: they are cut off at its ends. Point at a line, or focus it and use the arrow keys, for commit "
-            "and value.</p>"
-            '<div id="series-choices" class="choices"></div><div><div id="sparklines" class="sparklines"></div></div>'
-            f'<script type="application/json" id="series-data">{series_data(history)}</script>'
-            f"<style>{(LIBRARY / 'dashboard.css').read_text(encoding='utf-8')}</style>"
-            f"<script>{(LIBRARY / 'dashboard.js').read_text(encoding='utf-8')}</script>")
-
-
-def counted(count, what):
-    return f"{count} {what}{'' if count == 1 else 's'}"
-
-
-class LastNight:
+class LastNightlyRun:
     """How the last nightly run compares with the accepted one: the outcome of `mwt compare`, and what followed in words."""
 
     def __init__(self, comparison, state):
@@ -124,37 +114,32 @@ class LastNight:
         notes = [note for part in parts for note in part.get("notes", []) if note.startswith("load: ")]
         return list(dict.fromkeys(notes))
 
-    def text(self):
-        if not self.comparison:
-            return f"<p><strong>The last nightly run was not compared with another.</strong> {escape(self.state)}</p>"
-        loads = "".join(f'<p class="soft">{escape(note[0].upper() + note[1:])}.</p>' for note in self.loads())
-        return (f'<p><strong>The last nightly run: {escape(self.outcome)}.</strong> {escape(self.comparison["verdict"])}. '
-                f"{escape(self.state)}</p>{loads}")
-
-
-def lead(history, last_nightly_run):
-    if not history.own_nightly_runs:
-        return f"<p>There is no nightly run yet. {escape(last_nightly_run.state)}</p>"
-    last = history.own_nightly_runs[-1]
-    worse = sum(change["regression"] for change in history.changes)
-    better = len(history.changes) - worse
-    colour = "bad" if worse else last_nightly_run.colour()
-    return (f'<div class="answer" style="border-color: var(--{colour})">{last_nightly_run.text()}'
-            f'<p><strong>Steps that stayed: {counted(worse, "regression")}, {counted(better, "improvement")}</strong> '
-            f'in {counted(len(history.own_nightly_runs), "nightly run")}. The last one: {escape(last["recorded_at"])}, '
-            f'commit {escape(last["commit"][:10])}.</p></div>')
-
-
-def footer(history):
-    machine = history.own_nightly_runs[-1]["machine"] if history.own_nightly_runs else ""
-    return f"<p>Study “{escape(history.study)}” on {escape(machine)}. A spike of a nightly run or two is no change; see harness/tracking/README.md.</p>"
+    def values(self, worse):
+        """What the banner shows; `worse` steps of the history that stayed colour it, too."""
+        return {
+            "outcome": self.outcome,
+            "text": self.comparison["verdict"] if self.comparison else "",
+            "loads": [note[0].upper() + note[1:] for note in self.loads()] if self.comparison else [],
+            "state": self.state,
+            "colour": "bad" if worse else self.colour(),
+        }
 
 
 def make(history, last_nightly_run):
-    page = html_page.Page(TITLE, lead(history, last_nightly_run), footer(history))
-    page.add_section("changes", "What changed", changes_section(history))
-    page.add_section("series", "Every series", series_section(history))
-    return page.text()
+    worse = sum(change["regression"] for change in history.changes)
+    values = {
+        "title": TITLE,
+        "sections": SECTIONS,
+        "study": history.study,
+        "nightly_run_count": len(history.own_nightly_runs),
+        "last": history.own_nightly_runs[-1] if history.own_nightly_runs else {"machine": ""},
+        "verdict": last_nightly_run.values(worse),
+        "regressions": worse,
+        "improvements": len(history.changes) - worse,
+        "changes": changes_of(history),
+        "series_data": series_data(history),
+    }
+    return html_page.render("dashboard.html", values)
 
 
 def main():
@@ -170,7 +155,7 @@ def main():
     has_comparison = arguments.comparison and arguments.comparison.is_file()
     comparison = json.loads(arguments.comparison.read_text(encoding="utf-8")) if has_comparison else None
     written = arguments.output.with_name(arguments.output.name + ".new")
-    written.write_text(make(history, LastNight(comparison, arguments.state)), encoding="utf-8")
+    written.write_text(make(history, LastNightlyRun(comparison, arguments.state)), encoding="utf-8")
     os.replace(written, arguments.output)
 
 

@@ -1,12 +1,13 @@
-"""What a page says about the source report's claims, of a study that is made to judge them."""
+"""What a page shows of the source report's claims, of a study that is made to judge them: values for templates/study/verdicts.html."""
 import re
 
 import pandas as pd
+from markupsafe import Markup, escape
 
-from library.html_page import counted, escape
+from library.html_page import data_table
 
 QUESTION_CLAIM, WORST_CASE_CLAIM = "C4", "C5"
-BADGES = {
+COLOURS = {
     "reproduced": "good",
     "holds": "good",
     "refuted": "bad",
@@ -15,15 +16,12 @@ BADGES = {
     "by citation": "open",
     "undecided": "open",
 }
-
-
-def badge(verdict):
-    return f'<span class="badge {BADGES[verdict]}">{escape(verdict)}</span>'
+ANSWERS = {"reproduced": "Yes.", "refuted": "No:", "refuted (better than claimed)": "No, greedy is far better:"}
 
 
 def pretty(text):
     """A claim's plain text with the signs that a terminal does without."""
-    text = escape(text)
+    text = str(escape(text))
     for plain, sign in (
         ("-&gt;", "→"),
         ("&gt;=", "≥"),
@@ -39,25 +37,27 @@ def pretty(text):
         (" - ", " − "),
     ):
         text = text.replace(plain, sign)
-    return re.sub(r"\^(-?[\w.]*\w)", r"<sup>\1</sup>", text)
+    return Markup(re.sub(r"\^(-?[\w.]*\w)", r"<sup>\1</sup>", text))
 
 
-def answer(results):
-    """The first screen: the question that most readers come with."""
+def question(results):
+    """The answer to the question that most readers come with."""
     claims = results.claims.set_index("claim")
     claim, worst_case = claims.loc[QUESTION_CLAIM], claims.loc[WORST_CASE_CLAIM]
-    answers = {"reproduced": "Yes.", "refuted": "No:", "refuted (better than claimed)": "No, greedy is far better:"}
-    return (
-        '<div class="answer"><p><strong>Is greedy’s α 1.1–1.5, as the report says?</strong>'
-        f' <strong>{answers.get(claim["verdict"], "Undecided:")}</strong> {pretty(claim["measured"])}.'
-        f' {badge(claim["verdict"])}</p><p>On points built against it: {pretty(worst_case["measured"])}.</p></div>'
-    )
+    return {
+        "answer": ANSWERS.get(claim["verdict"], "Undecided:"),
+        "verdict": claim["verdict"],
+        "colour": COLOURS[claim["verdict"]],
+        "measured": claim["measured"],
+        "worst_case": worst_case["measured"],
+    }
 
 
-def claim_details(page, results, claim):
-    path = results.folder / "claim_details" / f"{claim['claim']}.csv"
+def details_of(results, claim):
+    """The table of figures behind a claim, None if it has none."""
+    path = results.folder / "claim_details" / f"{claim}.csv"
     if not path.is_file():
-        return ""
+        return None
     table = pd.read_csv(path, dtype=str).fillna("")
     columns, converted = [], {}
     for title in table.columns:
@@ -67,46 +67,25 @@ def claim_details(page, results, claim):
             {"title": title, "number": bool(is_number), "filter": 1 < table[title].nunique() <= 30 and not is_number}
         )
         converted[title] = list(table[title])  # numbers as they were written, with all their digits
-    return page.data_table(
-        f"details-{claim['claim']}", f"details of {claim['claim']}", columns, zip(*converted.values())
-    )
+    return data_table(f"details-{claim}", f"details of {claim}", columns, zip(*converted.values()))
 
 
-def claim_html(page, results, claim, row_count):
-    name = claim["claim"]
-    rows = (
-        f'<a href="#runs" data-table="runs-data" data-set="{name}">Show the {counted(row_count, "run")}</a>'
-        if row_count
-        else "no runs"
-    )
-    command = (
-        f'<dt>by yourself</dt><dd><pre class="copy"><code>{escape(command_line(claim["command"]))}</code></pre></dd>'
-        if claim["command"]
-        else ""
-    )
-    return (
-        f'<details class="claim" id="{name}" data-verdict="{escape(claim["verdict"])}"><summary><span'
-        f' class="claim-id">{name}</span><span class="statement">{pretty(claim["statement"])} <span'
-        f' class="soft">(section {escape(claim["section"])})</span></span>{badge(claim["verdict"])}<span'
-        f' class="measured">{pretty(claim["measured"])}</span></summary><div'
-        f' class="inside"><dl><dt>rule</dt><dd>{pretty(claim["rule"])}</dd><dt>evidence</dt><dd>{pretty(claim["evidence"])}.'
-        f" {rows}</dd>{command}</dl>{claim_details(page, results, claim)}</div></details>"
-    )
+def claims(results, claim_rows):
+    """Every claim with its verdict and the number of runs that it was judged by."""
+    run_counts = claim_rows["claim"].value_counts() if len(claim_rows) else {}
+    texts = ("verdict", "statement", "section", "measured", "rule", "evidence")
+    return [
+        {text: claim[text] for text in texts}
+        | {
+            "name": claim["claim"],
+            "colour": COLOURS[claim["verdict"]],
+            "run_count": int(run_counts.get(claim["claim"], 0)),
+            "command": claim["command"].replace("mwt ", "build/release/mwt ").replace(" && ", "\n"),
+            "details": details_of(results, claim["claim"]),
+        }
+        for _, claim in results.claims.iterrows()
+    ]
 
 
-def command_line(command):
-    return command.replace("mwt ", "build/release/mwt ").replace(" && ", "\n")
-
-
-def verdicts(page, results, claim_rows):
-    claims = results.claims
-    counts = claims["verdict"].value_counts()
-    buttons = "".join(
-        f'<button type="button" data-verdict="{escape(verdict)}"'
-        f' aria-pressed="false">{count} {escape(verdict)}</button>'
-        for verdict, count in counts.items()
-    )
-    counted = claim_rows["claim"].value_counts() if len(claim_rows) else {}
-    return f'<div class="choices"><span class="soft">Show only:</span>{buttons}</div>' + "\n".join(
-        claim_html(page, results, claim, int(counted.get(claim["claim"], 0))) for _, claim in claims.iterrows()
-    )
+def verdict_counts(results):
+    return results.claims["verdict"].value_counts().to_dict()

@@ -7,7 +7,7 @@ import urllib.parse
 
 import pandas as pd
 
-from library.html_page import number
+from library.html_page import data_table, number
 from library.records import OPTIMAL
 
 STUDIES = "harness/studies"
@@ -42,8 +42,8 @@ def sorted_cells(results):
     return cells.sort_values(keys, kind="stable", na_position="last")
 
 
-def summary_table(page, results):
-    """Time, alpha and failures per family, algorithm and n; empty if no cell has a run."""
+def summary_table(results):
+    """Time, alpha and failures per family, algorithm and n; None if no cell has a run."""
     columns = [
         {"title": "family", "filter": True},
         {"title": "algorithm", "filter": True},
@@ -78,8 +78,8 @@ def summary_table(page, results):
         for _, cell in sorted_cells(results).iterrows()
     ]
     if not rows:
-        return ""
-    return page.data_table("summary-data", "alpha and time by family, algorithm and n", *without_empty(columns, rows))
+        return None
+    return data_table("summary-data", "alpha and time by family, algorithm and n", *without_empty(columns, rows))
 
 
 def without_empty(columns, rows):
@@ -174,18 +174,18 @@ def command_templates():
     }
 
 
-def failures_table(page, results):
-    """Every failed run with what is known about it; empty if none failed."""
+def failures_table(results):
+    """Every failed run with what is known about it; None if none failed."""
     runs = sorted_runs(results)
     failed = runs[is_failure(runs)]
     if failed.empty:
-        return ""
+        return None
     columns = [*run_columns(), {"title": "what is known"}, *parameter_columns()]
     rows = [
         [*run_cells(results, run), run.message or run.checker, *parameter_cells(results, run)]
         for run in failed.itertuples()
     ]
-    return page.data_table("failures-data", "failed runs", *without_empty(columns, rows), **command_templates())
+    return data_table("failures-data", "failed runs", *without_empty(columns, rows), **command_templates())
 
 
 def ranges(positions):
@@ -211,7 +211,7 @@ def claim_sets(runs, claim_rows):
     return {"sets": sets, "sets_title": "judged for claim"}
 
 
-def runs_table(page, results, claim_rows):
+def runs_table(results, claim_rows):
     runs = sorted_runs(results)
     columns = [
         *run_columns(),
@@ -239,4 +239,4 @@ def runs_table(page, results, claim_rows):
         for run in runs.itertuples()
     ]
     more = claim_sets(runs, claim_rows) | command_templates()
-    return page.data_table("runs-data", "all runs", *without_empty(columns, rows), **more)
+    return data_table("runs-data", "all runs", *without_empty(columns, rows), **more)

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Tests the report's page as its readers use it: plots/page_test.py MWT
 
-Runs a small study, makes its page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium.
+Runs a small study, makes its page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium or
+Selenium.
 """
 import pathlib
 import subprocess
@@ -10,8 +11,8 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
-import chromium  # noqa: E402  (beside this file)
-from page_testing import PageTestCase, main, program, run  # noqa: E402
+import browser  # noqa: E402  (beside this file)
+from page_testing import Keys, PageTestCase, main, program, run  # noqa: E402
 
 LARGEST_PAGE_BYTES = 5_000_000
 CLAIMS = 15
@@ -31,7 +32,7 @@ class PageTest(PageTestCase):
         cls.page = pathlib.Path(cls.folder.name) / "alone" / "page.html"
         cls.page.parent.mkdir()
         cls.page.write_bytes((results / "report.html").read_bytes())
-        cls.browser = cls.enterClassContext(chromium.Browser())
+        cls.browser = cls.enterClassContext(browser.Browser())
 
     def test_is_small(self):
         self.assertLess(self.page.stat().st_size, LARGEST_PAGE_BYTES)
@@ -141,9 +142,9 @@ class PageTest(PageTestCase):
 
     def test_keyboard(self):
         self.value("document.querySelector('#C2 summary').focus()")
-        self.browser.press("Enter", 13, "\r")
+        self.browser.press(Keys.ENTER)
         self.assertTrue(self.value("document.getElementById('C2').open"))
-        self.browser.press("Tab", 9)
+        self.browser.press(Keys.TAB)
         self.assertTrue(self.value("document.getElementById('C2').contains(document.activeElement)"))
 
     def test_themes(self):

@@ -1,14 +1,19 @@
 """What the tests of pages share: a browser on the page, and silence in its console and on the network.
 
 A test module has a subclass of PageTestCase, whose setUpClass makes the page, and ends with main(). Exit code 77 (skipped)
-without Chromium.
+without Chromium or Selenium.
 """
 import pathlib
 import subprocess
 import sys
 import unittest
 
-import chromium
+import browser
+
+if browser.missing() is None:
+    from selenium.webdriver.common.keys import Keys
+else:  # main() skips the tests
+    Keys = None
 
 SKIPPED = 77
 
@@ -36,6 +41,7 @@ class PageTestCase(unittest.TestCase):
         self.browser.open(self.page)
 
     def tearDown(self):
+        self.browser.collect()
         self.assertEqual(self.browser.problems, [], "the console is silent")
         self.assertEqual(self.browser.requests, [], "nothing is fetched")
 
@@ -44,7 +50,6 @@ class PageTestCase(unittest.TestCase):
 
     def texts(self, selector):
         return self.value(f"[...document.querySelectorAll({selector!r})].map((element) => element.textContent)")
-
 
     def assert_no_panel_is_empty(self):
         """Every panel of every figure, in both layouts, has a line or marks."""
@@ -80,7 +85,8 @@ class PageTestCase(unittest.TestCase):
 def main(what):
     if len(sys.argv) != 2:
         sys.exit(f"usage: {pathlib.Path(sys.argv[0]).name} MWT")
-    if chromium.find() is None:
-        print(f"SKIPPED: NO CHROMIUM ON THIS MACHINE, {what} WAS NOT TESTED. Install it: setup/packages_for_checks.txt")
+    missing = browser.missing()
+    if missing:
+        print(f"SKIPPED: {missing} IS MISSING, {what} WAS NOT TESTED. Install it: setup/packages_for_checks.txt")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1], verbosity=2)

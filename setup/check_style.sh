@@ -16,15 +16,35 @@ forbid() {  # forbid PATTERN WHY FILE...
     failed=yes
   fi
 }
-# What only tests include may look further: x_test.cpp and x_testing.h.
-code_of() { find "$1" \( -name '*.h' -o -name '*.cpp' \) ! -name '*_test.cpp' ! -name '*testing.h'; }
+# What only tests include may look further: x_test.cpp and the folders testing/.
+code_of() { find "$1" \( -name '*.h' -o -name '*.cpp' \) ! -name '*_test.cpp' ! -path '*/testing/*'; }
 
-mapfile -t geometry < <(code_of geometry)
-mapfile -t generators < <(code_of generators)
+# Each layer, and each room of the harness, includes only those before it in its list.
+require_order() {  # require_order PREFIX NAME...
+  local prefix=$1 later
+  shift
+  while [ $# -gt 1 ]; do
+    local name=$1
+    shift
+    later=$(IFS='|'; echo "$*")
+    mapfile -t files < <(code_of "$prefix$name")
+    forbid "#include \"$prefix($later)/" "$prefix$name/ includes only what is below it" "${files[@]}"
+  done
+}
+require_order "" base geometry generators algorithms harness
 mapfile -t algorithms < <(code_of algorithms)
+forbid '#include "generators/' 'algorithms and generators do not include each other' "${algorithms[@]}"
+require_order harness/ io statistics run rating records study claims report tracking hunt benchmark cli
 mapfile -t headers < <(find "${layers[@]}" -name '*.h')
-forbid '#include "(generators|algorithms|harness)/' 'geometry is the lowest layer' "${geometry[@]}"
-forbid '#include "(algorithms|harness)/' 'generators include geometry only' "${generators[@]}"
-forbid '#include "(generators|harness)/' 'algorithms include geometry only' "${algorithms[@]}"
-forbid '#include <(CGAL|Eigen|CLI|nlohmann|toml|boost/math|benchmark|glpk|sqlite3)' 'heavy headers belong in few .cpp files' "${headers[@]}"
+forbid '#include <(CGAL|Eigen|CLI|nlohmann|toml|boost/math|benchmark|glpk|sqlite3|SQLiteCpp)' 'heavy headers belong in few .cpp files' "${headers[@]}"
+forbid_loose=$(find harness -maxdepth 1 -type f)
+[ -z "$forbid_loose" ] || { echo "style: harness/ has no files of its own, only rooms: $forbid_loose" >&2; failed=yes; }
+
+# CMakeLists.txt states the version; what people and programs read elsewhere must agree.
+version=$(sed -n 's/^project(.* VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+agrees() {  # agrees FILE LINE
+  grep -qxF "$2" "$1" || { echo "style: $1 has no line '$2', but CMakeLists.txt has version $version" >&2; failed=yes; }
+}
+agrees CITATION.cff "version: $version"
+agrees CHANGELOG.md "## $version"
 [ "$failed" = no ]

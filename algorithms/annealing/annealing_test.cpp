@@ -14,7 +14,7 @@ namespace mwt {
 namespace {
 
 using test::make_shape;
-using test::Shape;
+using test::ShapeFamily;
 using test::shapes;
 
 Solution solve(Points points, const std::map<std::string, std::string>& given, std::uint64_t seed = 1,
@@ -27,7 +27,7 @@ Solution solve(Points points, const std::map<std::string, std::string>& given, s
 }
 
 TEST(Annealing, EndsAtAValidLocalOptimumNoWorseThanItsStart) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
       const Solution solution = solve(points, {{"start", "greedy"}, {"proposals", "5000"}});

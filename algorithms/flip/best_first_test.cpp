@@ -17,7 +17,7 @@ namespace mwt {
 namespace {
 
 using test::make_shape;
-using test::Shape;
+using test::ShapeFamily;
 using test::shapes;
 
 // The definition, word for word: looks at all edges before every flip.
@@ -57,7 +57,7 @@ PlanarMesh marked_start(const std::vector<Point>& points, std::size_t random_fli
 // From Delaunay, from a few random flips (bursts of gains that grow) and from many.
 template <class Check>
 void for_all_starts(std::size_t n, std::uint64_t seeds, Check check) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       const std::vector<Point> points = make_shape(shape, n, seed);
       for (const std::size_t flips : {std::size_t{0}, n / 10, 10 * n}) {

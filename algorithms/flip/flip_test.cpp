@@ -17,12 +17,12 @@ namespace {
 
 using test::context_for;
 using test::make_shape;
-using test::Shape;
+using test::ShapeFamily;
 using test::shapes;
 using test::solve_checked;
 
 TEST(Flip, EndsAtAValidLocalOptimumOnAllShapes) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
       for (const std::string start : {"delaunay", "sweep", "quadtree", "random"}) {
@@ -39,7 +39,7 @@ TEST(Flip, EndsAtAValidLocalOptimumOnAllShapes) {
 }
 
 TEST(Flip, FindsNothingToDoOnGreedy) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (const std::size_t n : {10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n + 1);
       for (const std::string order : {"stack", "best"}) {

@@ -42,7 +42,7 @@ bool compare_on_family(const GeneratorInfo& family, Index n, std::uint64_t seed)
   }
 }
 
-void compare_on_shape(const test::Shape& shape, std::size_t n, std::uint64_t seed) {
+void compare_on_shape(const test::ShapeFamily& shape, std::size_t n, std::uint64_t seed) {
   const std::vector<Point> points = test::make_shape(shape, n, seed);
   const std::vector<Edge> expected = edges_by("greedy_naive", points);
   EXPECT_EQ(edges_by("greedy", points), expected) << shape.name << " n=" << n << " seed=" << seed;
@@ -55,7 +55,7 @@ std::size_t compare_on_all(std::uint64_t seeds, Index smaller_n, Index max_n) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Index n = seed % 30 == 0 ? max_n : 3 + static_cast<Index>(7 * seed) % smaller_n;
     for (const GeneratorInfo& family : generators()) instances += compare_on_family(family, n, seed) ? 1 : 0;
-    for (const test::Shape& shape : test::shapes()) compare_on_shape(shape, n, seed);
+    for (const test::ShapeFamily& shape : test::shapes()) compare_on_shape(shape, n, seed);
     instances += test::shapes().size();
   }
   return instances;

@@ -14,7 +14,7 @@ namespace mwt {
 namespace {
 
 using test::make_shape;
-using test::Shape;
+using test::ShapeFamily;
 using test::shapes;
 
 // The definition, word for word: all pairs in order, each taken unless it crosses a taken one or passes through a
@@ -41,7 +41,7 @@ std::vector<Edge> naive_greedy(Points points) {
   return taken;
 }
 
-void expect_equals_naive(const Shape& shape, std::size_t n, std::uint64_t seed) {
+void expect_equals_naive(const ShapeFamily& shape, std::size_t n, std::uint64_t seed) {
   // Where every decision needs multiple precision, the definition with its O(n^3) of them is for a dozen points.
   const std::vector<Point> points = make_shape(shape, std::min(n, shape.max_n / 5), seed);
   const Triangulation triangulation = greedy_triangulation(points);
@@ -51,32 +51,32 @@ void expect_equals_naive(const Shape& shape, std::size_t n, std::uint64_t seed) 
 }
 
 TEST(Greedy, EqualsNaiveOnSmallInstances) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) expect_equals_naive(shape, 3 + seed % 20, seed);
   }
 }
 
 TEST(Greedy, EqualsNaiveOnMiddlingInstances) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (std::uint64_t seed = 1; seed <= 2; ++seed) expect_equals_naive(shape, 30 * seed, seed);
   }
 }
 
 TEST(GreedySlow, EqualsNaiveOnThousandsOfInstances) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (std::uint64_t seed = 1; seed <= 240; ++seed) expect_equals_naive(shape, 3 + seed % 38, 1000 + seed);
   }
 }
 
 TEST(GreedySlow, EqualsNaiveOnLargeInstances) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) expect_equals_naive(shape, 40 + 10 * seed, seed);
     expect_equals_naive(shape, 500, 7);
   }
 }
 
 TEST(Greedy, IsValidOnAllShapes) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
       const auto violation = find_violation(points, greedy_triangulation(points));
@@ -87,7 +87,7 @@ TEST(Greedy, IsValidOnAllShapes) {
 
 TEST(Greedy, CertifiedEdgesCrossNoShorterSegment) {
   std::size_t certified = 0;
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 25, 3);
     const PlanarMesh mesh = PlanarMesh::delaunay(points);
     for (MeshEdge e = 0; e < mesh.edge_count(); ++e) {
@@ -107,7 +107,7 @@ TEST(Greedy, CertifiedEdgesCrossNoShorterSegment) {
 
 // A hub of high degree whose spokes are fixed one after the other, and a wheel around another wheel.
 TEST(Greedy, WheelsAreNoQuadraticCase) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     if (shape.name.find("wheel") == std::string::npos) continue;
     const std::vector<Point> points = make_shape(shape, 30000, 1);
     EXPECT_FALSE(find_violation(points, greedy_triangulation(points))) << shape.name;

@@ -24,19 +24,19 @@ namespace {
 
 using test::context_for;
 using test::make_shape;
-using test::Shape;
+using test::ShapeFamily;
 using test::shapes;
 using test::solve_checked;
 
-const Shape& shape_named(const std::string& name) {
-  for (const Shape& shape : shapes()) {
+const ShapeFamily& shape_named(const std::string& name) {
+  for (const ShapeFamily& shape : shapes()) {
     if (shape.name == name) return shape;
   }
   throw std::out_of_range(name);
 }
 
 TEST(Patch, IsValidAndNeverWorseThanItsStartOnAllShapes) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 1000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
       for (const std::string start : {"greedy", "delaunay", "random"}) {
@@ -82,7 +82,7 @@ TEST(Patch, IsOptimalWhenOnePatchCoversAConvexPolygon) {
 }
 
 TEST(Patch, IsFlipOptimalAtTheEnd) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 200, 5);
     const Solution solution = solve_checked(patch_entry(), points, {{"start", "random"}, {"beta_skeleton", "off"}});
     // Patches of two triangles are flips; only those that rounding cannot certify may be left.
@@ -159,7 +159,7 @@ TEST(Patch, StopsAtTheDeadlineAndAfterItsPasses) {
 // Between clusters, a few long edges weigh as much as thousands of short ones.
 TEST(Patch, LargerPatchesAtLongEdgesOnlyHelp) {
   std::size_t helped = 0;
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 1500, 8);
     const auto weight_with = [&](const std::string& long_k) {
       return weight(points, solve_checked(patch_entry(), points, {{"long_k", long_k}}).triangulation);

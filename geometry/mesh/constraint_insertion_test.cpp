@@ -15,7 +15,7 @@ namespace mwt {
 namespace {
 
 using test::make_shape;
-using test::Shape;
+using test::ShapeFamily;
 using test::shapes;
 
 // Every third edge of a triangulation far from Delaunay.
@@ -32,7 +32,7 @@ std::vector<Edge> some_constraints(Points points, std::uint64_t seed) {
 }
 
 TEST(ConstraintInsertion, KeepsConstraintsAndIsDelaunayElsewhereOnAllShapes) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (const std::size_t n : {4, 10, 50, 400}) {
       const std::vector<Point> points = make_shape(shape, n, n);
       std::vector<Edge> constraints = some_constraints(points, n);

@@ -21,11 +21,11 @@ namespace mwt {
 namespace {
 
 using test::make_shape;
-using test::Shape;
+using test::ShapeFamily;
 using test::shapes;
 
 TEST(SpatialOrder, IsAPermutationOnAllShapes) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 700, 1);
     std::vector<Index> order = spatial_order(points);
     std::sort(order.begin(), order.end());
@@ -57,7 +57,7 @@ TEST(RadixSort, SortsByTheGivenBitsAndIsStable) {
 }
 
 TEST(FastInCircle, AgreesWithTheExactPredicate) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 200, 2);
     std::mt19937_64 random(3);
     for (int i = 0; i < 500; ++i) {
@@ -107,7 +107,7 @@ TEST(Distance, NoSegmentIsSurelyFartherThanItIs) {
 }
 
 TEST(DelaunayTriangles, HaveEmptyCirclesAndConsistentTwinsOnAllShapes) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     for (const std::size_t n : {3, 4, 5, 10, 100, 2000}) {
       const std::vector<Point> points = make_shape(shape, n, n);
       KeptVector<Point> with_room(points.begin(), points.end());
@@ -136,7 +136,7 @@ TEST(DelaunayTriangles, HaveEmptyCirclesAndConsistentTwinsOnAllShapes) {
 }
 
 TEST(PlanarMesh, KeepsItsLinksUnderFlips) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 120, 4);
     PlanarMesh mesh = PlanarMesh::delaunay(points);
     std::mt19937_64 random(5);
@@ -155,7 +155,7 @@ TEST(PlanarMesh, KeepsItsLinksUnderFlips) {
 }
 
 TEST(PlanarMesh, ReadsWhatItWrites) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 60, 6);
     const Triangulation triangulation = PlanarMesh::delaunay(points).triangulation();
     EXPECT_EQ(canonical_triangles(PlanarMesh(points, triangulation).triangulation()),
@@ -165,7 +165,7 @@ TEST(PlanarMesh, ReadsWhatItWrites) {
 }
 
 TEST(PlanarMesh, IsTheSameForCoordinatesOfExtremeSize) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     if (shape.max_n < 300) continue;  // of extreme size already
     const std::vector<Point> points = make_shape(shape, 300, 9);
     const auto triangles = PlanarMesh::delaunay(points).triangulation().triangles;
@@ -181,7 +181,7 @@ TEST(PlanarMesh, IsTheSameForCoordinatesOfExtremeSize) {
 }
 
 TEST(EdgeOrder, IsTheExactOrderOnAllShapes) {
-  for (const Shape& shape : shapes()) {
+  for (const ShapeFamily& shape : shapes()) {
     const std::vector<Point> points = make_shape(shape, 40, 7);
     std::mt19937_64 random(8);
     for (int i = 0; i < 2000; ++i) {

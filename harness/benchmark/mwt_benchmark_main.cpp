@@ -1,13 +1,15 @@
-// Google Benchmark's front door: every algorithm x family, all standard flags, nothing generated before its turn.
+// The program mwt_benchmark: every algorithm x family under Google Benchmark, with all of its standard flags. Points
+// are generated when a benchmark begins.
 //
-// Two flags of its own: --max_n=10000000, up to how many points (a million unless told), and --threads=2 (one
-// unless told), which algorithms that use threads may use. Counters: over_delaunay = median processor time (of several
+// Three flags of its own: --max_n=10000000, the largest number of points (default: a million); --threads=2, how many
+// threads an algorithm may use (default: one); --version. Counters: over_delaunay = median processor time (of several
 // threads: wall time) / median of seven Delaunay triangulations of the same points by CGAL, measured in turns with the
 // algorithm; stopped_early, 1 if something stopped the algorithm (the label says what), else 0; alpha_lower,
 // alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own stages in its last iteration (in CSV these
 // are in the column `label`: see csv_reporter.h).
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <cstdint>
@@ -24,7 +26,7 @@
 #include "base/given_number.h"
 #include "harness/benchmark/csv_reporter.h"
 #include "harness/benchmark/prepared_cell.h"
-#include "harness/cli/command_line.h"
+#include "harness/io/exit_code.h"
 #include "harness/io/standard_streams.h"
 #include "harness/run/machine/build_info.h"
 
@@ -74,9 +76,9 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
   state.counters["over_delaunay"] = times.ratio(points);
   state.counters["stopped_early"] = stop_reason ? 1 : 0;
   if (stop_reason) state.SetLabel("stopped early: " + std::string(phrase_of(*stop_reason)));
-  if (cell.alpha) {
-    state.counters["alpha_lower"] = cell.alpha->lower;
-    state.counters["alpha_upper"] = cell.alpha->upper;
+  if (cell.run.alpha_upper) {
+    state.counters["alpha_lower"] = *cell.run.alpha_lower;
+    state.counters["alpha_upper"] = *cell.run.alpha_upper;
   }
   for (const auto& [phase, seconds] : context.phases) state.counters["phase_" + phase + "_s"] += seconds;
 }
@@ -132,7 +134,15 @@ void register_all(const Catalogue& catalogue, const Flags& flags) {
   }
 }
 
+bool wants_version(std::span<char*> arguments) {
+  return std::ranges::any_of(arguments, [](const std::string_view argument) { return argument == "--version"; });
+}
+
 int run_benchmarks(int argument_count, char** arguments) {
+  if (wants_version({arguments, static_cast<std::size_t>(argument_count)})) {
+    std::printf("mwt_benchmark %s\n", version().c_str());
+    return kExitOk;
+  }
   const Flags flags = take_flags(argument_count, arguments);
   const bool prints_csv = value_of_flag("benchmark_format", argument_count, arguments) == "csv";
   const bool has_file = !value_of_flag("benchmark_out", argument_count, arguments).empty();
@@ -141,6 +151,7 @@ int run_benchmarks(int argument_count, char** arguments) {
   if (benchmark::ReportUnrecognizedArguments(argument_count, arguments)) return kExitUserMistake;
   const Catalogue catalogue = Catalogue::built_in();
   register_all(catalogue, flags);
+  benchmark::AddCustomContext("version", version());
   benchmark::AddCustomContext("git_commit", git_commit());
   benchmark::AddCustomContext("compiler_flags", compiler_flags());
   benchmark::AddCustomContext("threads", std::to_string(flags.threads));

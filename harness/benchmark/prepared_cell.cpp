@@ -5,11 +5,8 @@
 
 #include "base/error.h"
 #include "geometry/delaunay.h"
-#include "harness/rating/optimum_claims.h"
 #include "harness/rating/optimum_search.h"
-#include "harness/rating/quality.h"
 #include "harness/statistics/quantile.h"
-#include "harness/study/plan.h"
 
 namespace mwt {
 
@@ -47,75 +44,40 @@ std::string with_parameters(const std::string& name, const GivenParameters& para
   return result;
 }
 
-// Cells follow one another by algorithm, instances come again and again.
-std::map<std::string, OptimumClaims>& known_optima() {
-  static std::map<std::string, OptimumClaims> optima;
-  return optima;
+// A claim that a triangulation disproves counts no more, and its solver is wrong.
+void report_contradiction(const std::string& instance, const std::string& what) {
+  std::cerr << instance << ": " << what << '\n';
 }
 
-// Claims of solvers that a triangulation disproves: they count no more, and their solver is wrong.
-void complain(const std::string& instance, const std::vector<Disproof>& disproofs) {
-  for (const Disproof& disproof : disproofs) std::cerr << instance << ": " << disproof.text() << '\n';
-}
-
-// What a checked solution certifies.
-std::vector<Disproof> add(OptimumClaims& claims, const std::string& solver, const Solution& solution,
-                          const Interval& weight) {
-  const WitnessedOptimum optimum = witnessed_optimum(solution.optimum, weight);
-  if (optimum.contradiction) return {{{solver, solver, *solution.optimum}, "", weight.upper}};
-  if (!optimum.interval) return claims.add_weight({solver, weight.upper});
-  return claims.add_claim({solver, solver, *optimum.interval});
-}
-
-// In this process: a worker of the harness measures with Google Benchmark, whose output file is open here.
-OptimumClaims seek_optimum_here(const Catalogue& catalogue, const Instance& instance, const std::string& label) {
-  const Points points = instance.set.points;
-  OptimumClaims claims;
-  for (const AlgorithmInfo* source : optimum_sources_for(catalogue, {}, static_cast<Index>(points.size()))) {
-    Request request;
-    request.algorithm = source;
-    request.parameters = Parameters(source->name, source->parameters, {});
-    request.time_limit_s = kOptimumTime;
-    try {
-      const Solution solution = execute_once(request, points).solution;
-      const Judgement judgement = judge(points, solution.triangulation);
-      if (!judgement.violation) complain(label, add(claims, source->name, solution, judgement.weight));
-    } catch (const NotApplicable&) {
-      continue;
-    }
-    if (optimality_of(claims.bounds()) == Optimality::proved) break;
-  }
-  return claims;
-}
-
-// Of an instance with few enough points; null otherwise.
+// What is certified about an instance with few enough points; null for others. Cells follow one another by algorithm,
+// and instances come again and again: each is solved once. In this process, for a child's copy of Google Benchmark
+// would write to its output file, too.
 OptimumClaims* cheap_optimum(const Catalogue& catalogue, const Instance& instance, const std::string& label) {
-  if (instance.set.points.size() > kMaxRatedN) return nullptr;
-  const auto [entry, is_new] = known_optima().try_emplace(instance.id);
-  if (is_new) entry->second = seek_optimum_here(catalogue, instance, label);
-  return &entry->second;
-}
-
-void rate(PreparedCell& cell, OptimumClaims& claims, const Solution& solution, const Interval& weight,
-          const std::string& label) {
-  const std::string& name = cell.request.algorithm->name;
-  const std::vector<Disproof> disproofs = add(claims, name, solution, weight);
-  complain(label, disproofs);
-  for (const Disproof& disproof : disproofs) {
-    if (disproof.claim.id == name) cell.reason_to_skip = disproof.text();
+  static std::map<std::string, OptimumClaims> optima;
+  const auto n = static_cast<Index>(instance.set.points.size());
+  if (n > kMaxRatedN) return nullptr;
+  const auto [entry, is_new] = optima.try_emplace(instance.id);
+  if (is_new) {
+    const FoundOptimum found = seek_optimum_here(instance, optimum_sources_for(catalogue, {}, n), kOptimumTime);
+    for (const std::string& what : found.contradictions) report_contradiction(label, what);
+    if (found.interval) static_cast<void>(entry->second.add_claim({"optimum", found.source, *found.interval}));
   }
-  if (const auto optimum = claims.bounds()) cell.alpha = alpha_of(weight, *optimum);
+  return &entry->second;
 }
 
 void verify(const Catalogue& catalogue, PreparedCell& cell, const std::string& label) {
   const Points points = cell.instance.set.points;
-  const Execution execution = execute_once(cell.request, points);
-  const Judgement judgement = judge(points, execution.solution.triangulation);
-  if (judgement.violation) {
-    cell.reason_to_skip = "invalid output: " + *judgement.violation;
-  } else if (OptimumClaims* claims = cheap_optimum(catalogue, cell.instance, label)) {
-    rate(cell, *claims, execution.solution, judgement.weight, label);
+  const AlgorithmInfo& algorithm = *cell.request.algorithm;
+  cell.run = judged(algorithm, points, execute_once(cell.request, points));
+  if (OptimumClaims* claims = cheap_optimum(catalogue, cell.instance, label)) {
+    for (const Disproof& disproof : add_run(*claims, "run", algorithm.name, cell.run)) {
+      report_contradiction(label, disproof.text());
+      if (disproof.claim.id == "run") reject(cell.run, disproof);
+    }
+    rate(cell.run, claims->bounds());
   }
+  if (cell.run.status == RunStatus::ok) return;
+  cell.reason_to_skip = (cell.run.status == RunStatus::invalid_output ? "invalid output: " : "") + cell.run.message;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/rating/rated_run.h"
 #include "harness/run/catalogue.h"
 #include "harness/run/execution.h"
 
@@ -34,15 +35,15 @@ struct BenchmarkCell {
 struct PreparedCell {
   Instance instance;
   Request request;
-  std::optional<Interval> alpha;  ///< where an optimum is cheap: up to kMaxRatedN points
-  std::string reason_to_skip;     ///< not empty: the algorithm or the family does not take this n, or the
-                                  ///< algorithm's output or certified bound is wrong
+  RatedRun run;                ///< rated where an optimum is cheap: up to kMaxRatedN points
+  std::string reason_to_skip;  ///< not empty: the algorithm or the family does not take this n, or the
+                               ///< algorithm's output or certified bound is wrong
 };
 inline constexpr Index kMaxRatedN = 100'000;
 
 /// Generates the instance (seed 1), runs the algorithm once, checks its output, and looks for the optimum with the
-/// exact algorithms, half a minute each; once per instance. A bound that a triangulation disproves is told on standard
-/// error and counts no more.
+/// exact algorithms, half a minute each; once per instance. A bound that a triangulation disproves is reported on
+/// standard error and counts no more.
 [[nodiscard]] PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell);
 
 /// The processor time of the Delaunay time and of an algorithm, in turns, so that what else the machine does cancels.

@@ -56,14 +56,14 @@ TEST(PreparedCell, AnAlgorithmThatCertifiesTooMuchIsSkippedAndRatesNobody) {
   EXPECT_TRUE(prepared("claims", "grid", 16).reason_to_skip.starts_with("CONTRADICTION: claims certified"));
   const PreparedCell cell = prepared("well", "grid", 16);
   EXPECT_EQ(cell.reason_to_skip, "");
-  ASSERT_TRUE(cell.alpha) << "by the weak bound";
-  EXPECT_LT(cell.alpha->upper, 2.1);
+  ASSERT_TRUE(cell.run.alpha_upper) << "by the weak bound";
+  EXPECT_LT(*cell.run.alpha_upper, 2.1);
 }
 
 TEST(PreparedCell, IsRatedWhereAnOptimumIsCheap) {
   const PreparedCell cell = prepared("well", "fan", 10);
-  ASSERT_TRUE(cell.alpha);
-  EXPECT_EQ(cell.alpha->lower, 1);
+  ASSERT_TRUE(cell.run.alpha_upper);
+  EXPECT_EQ(cell.run.alpha_lower, 1);
 }
 
 }  // namespace

@@ -160,7 +160,7 @@ MadeUpRecords hull_run(double hull_weight, double optimum) {
   MadeUpRecords made_up;
   RunRecord& run = made_up.add_rated("hull_insertion", "any", 13, 1.1);
   run.optimum_lower = run.optimum_upper = optimum;
-  run.counters = "hull_size=12 hull_weight=" + std::to_string(hull_weight) + " interior_points=1";
+  run.counters = {{"hull_size", 12}, {"hull_weight", hull_weight}, {"interior_points", 1}};
   return made_up;
 }
 
@@ -179,7 +179,7 @@ void add_insertions(MadeUpRecords& made_up, const std::string& family, double ex
     for (int seed = 0; seed < 3; ++seed) {
       RunRecord& run = made_up.add("hull_insertion", family, n);
       run.weight_upper = 4 + 100 * std::pow(n, exponent) * wobble(seed);
-      run.counters = "hull_weight=4 interior_points=100";
+      run.counters = {{"hull_weight", 4}, {"interior_points", 100}};
     }
   }
 }
@@ -204,7 +204,7 @@ MadeUpRecords local_search(double start, double middle, double end, int flips) {
     RunRecord& run = made_up.add("flip_naive", "local_search_figure", 10);
     run.params = std::string("improvement=first max_flips=") + max_flips + " start=local_search_figure_start.csv";
     run.perimeter_sum = total;
-    run.counters = "flips=" + std::to_string(flips);
+    run.counters = {{"flips", flips}};
   }
   return made_up;
 }

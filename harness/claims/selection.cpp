@@ -75,12 +75,6 @@ std::optional<std::string> named_value(std::string_view field, std::string_view 
   return value == values.end() ? std::nullopt : std::optional(value->second);
 }
 
-std::optional<double> named_number(std::string_view field, std::string_view name) {
-  const std::optional<std::string> text = named_value(field, name);
-  const std::optional<double> number = text ? parse_number(*text) : std::nullopt;
-  return number && std::isfinite(*number) ? number : std::nullopt;
-}
-
 const RunRecord& worst(const Runs& runs) {
   return **std::max_element(runs.begin(), runs.end(),
                             [](const RunRecord* a, const RunRecord* b) { return *a->alpha_upper < *b->alpha_upper; });

@@ -41,9 +41,8 @@ using RunGroups = std::map<std::string, Runs>;
 
 [[nodiscard]] double mean(const std::vector<double>& values);
 
-/// The value of `name=value` in a field of blank-separated parameters or counters.
+/// The value of `name=value` in a field of blank-separated parameters.
 [[nodiscard]] std::optional<std::string> named_value(std::string_view field, std::string_view name);
-[[nodiscard]] std::optional<double> named_number(std::string_view field, std::string_view name);
 
 /// The run with the largest alpha. Precondition: rated runs, not empty.
 [[nodiscard]] const RunRecord& worst(const Runs& runs);

@@ -13,6 +13,7 @@
 #include "base/given_number.h"
 #include "harness/io/text/text.h"
 #include "harness/io/text/text_lines.h"
+#include "harness/run/machine/build_info.h"
 
 namespace mwt {
 
@@ -59,6 +60,7 @@ int run_and_flush(const Command& command) {
 int parse_and_run(std::span<const Command> commands, int argument_count, char** arguments) {
   CLI::App app("Laboratory for minimum weight triangulations: see README.md", "mwt");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "mwt " + version(), "Print the version and exit");
   std::vector<CLI::App*> parsers;
   for (const Command& command : commands) {
     parsers.push_back(app.add_subcommand(command.name, command.summary));
@@ -67,8 +69,8 @@ int parse_and_run(std::span<const Command> commands, int argument_count, char** 
   }
   try {
     app.parse(argument_count, arguments);
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
     const bool in_command = !app.get_subcommands().empty();
     throw InputError(one_line(error.what()) + "; see mwt " +

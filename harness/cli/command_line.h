@@ -1,4 +1,4 @@
-// Parsing the command line: the only door to CLI11.
+// Parsing the command line. Only command_line.cpp includes CLI11.
 #pragma once
 
 #include <cstdint>
@@ -10,21 +10,13 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "harness/io/exit_code.h"
 
 namespace CLI {
 class App;
 }
 
 namespace mwt {
-
-/// How a run of the program ends; scripts rely on these.
-enum ExitCode : int {
-  kExitOk = 0,
-  kExitNegative = 1,     ///< the answer is no: an invalid triangulation, a regression, a study with runs that failed
-  kExitUserMistake = 2,  ///< one line on standard error says what and how to mend it
-  kExitFailure = 3,      ///< of this program: an algorithm's invalid output, an exception nobody expected
-  kExitInterrupted = 130,
-};
 
 /// The most threads or processes that an option may ask for.
 inline constexpr int kMaxWorkers = 1024;

@@ -8,6 +8,7 @@
 #include "generators/registry.h"
 #include "harness/cli/testing/commands_testing.h"
 #include "harness/io/text/text.h"
+#include "harness/run/machine/build_info.h"
 
 namespace mwt {
 namespace {
@@ -155,6 +156,12 @@ TEST_F(Commands, HelpIsNoMistake) {
   const CommandResult help = mwt("solve --help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_NE(help.output.find("--with-optimum"), std::string::npos);
+}
+
+TEST_F(Commands, ProgramsPrintTheirVersion) {
+  EXPECT_EQ(run("--version"), "mwt " + version() + "\n");
+  EXPECT_EQ(shell(MWT_BENCHMARK_EXECUTABLE " --version >.out"), 0);
+  EXPECT_EQ(read(".out"), "mwt_benchmark " + version() + "\n");
 }
 
 TEST_F(Commands, GeneratedPointsComeBack) {

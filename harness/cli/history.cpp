@@ -25,7 +25,7 @@ struct Options {
 
 std::string changes_text(const std::vector<NightlyRun>& nightly_runs, const std::vector<Change>& changes) {
   if (changes.empty())
-    return "nothing has changed for good; nights in the history: " + std::to_string(nightly_runs.size()) + '\n';
+    return "nothing has changed for good; nightly runs in the history: " + std::to_string(nightly_runs.size()) + '\n';
   std::string text;
   for (const Change& change : changes) text += describe(change, nightly_runs) + '\n';
   return text;
@@ -69,7 +69,7 @@ Command history_command() {
                       "export: all values; changes: what stepped, when, by how much; series: both, for a dashboard");
     declared.option("--history", options->history, kHistoryHelp);
     declared.option("-o,--output", options->output, "write to this file instead of standard output");
-    declared.flag("--csv", options->csv, "of export: comma-separated, one row per night, cell and measure");
+    declared.flag("--csv", options->csv, "of export: comma-separated, one row per nightly run, cell and measure");
     declared.flag("--json", options->json, "of changes and series: JSON");
     declared.positive("--least-change", options->min_change,
                       "of changes: smaller steps of times and memory are not reported, in percent; 3 if not given");

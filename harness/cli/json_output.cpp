@@ -12,8 +12,6 @@ template <class Value>
 Json or_null(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
-Json lower_or_null(const std::optional<Interval>& interval) { return interval ? Json(interval->lower) : Json(); }
-Json upper_or_null(const std::optional<Interval>& interval) { return interval ? Json(interval->upper) : Json(); }
 
 std::string_view name_of(ParameterType type) {
   switch (type) {
@@ -57,38 +55,41 @@ std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::er
 
 }  // namespace
 
-std::string to_json(const SolveReport& report) {
+std::string to_json(const SolveOutput& output) {
+  const RatedRun& run = output.run;
   Json phases = Json::object();
-  for (const auto& [name, seconds] : report.phases) phases[name] = phases.value(name, 0.0) + seconds;
+  for (const auto& [name, seconds] : run.phases) phases[name] = phases.value(name, 0.0) + seconds;
+  Json counters = Json::object();
+  for (const auto& [name, value] : run.counters) counters[name] = value;
   Json json;
-  json["algorithm"] = report.algorithm;
-  json["parameters"] = report.parameters;
-  json["seed"] = report.seed;
-  json["threads"] = report.threads;
-  json["n"] = report.n;
-  json["distinct"] = report.distinct;
-  json["duplicates"] = report.duplicates;
-  json["hull_size"] = report.hull_size;
-  json["triangles"] = report.triangles;
-  json["edges"] = or_null(report.edges);
-  json["weight_lower"] = lower_or_null(report.weight);
-  json["weight_upper"] = upper_or_null(report.weight);
-  json["perimeter_sum"] = or_null(report.perimeter_sum);
-  json["count"] = or_null(report.count);
-  json["stopped_early"] = report.stop_reason.has_value();
-  json["stop_reason"] = report.stop_reason ? Json(name_of(*report.stop_reason)) : Json();
-  json["optimum_lower"] = lower_or_null(report.optimum);
-  json["optimum_upper"] = upper_or_null(report.optimum);
-  json["optimality"] = report.optimality;
-  json["optimum_cached"] = report.optimum_cached;
-  json["alpha_lower"] = lower_or_null(report.alpha);
-  json["alpha_upper"] = upper_or_null(report.alpha);
-  json["valid"] = report.valid;
-  json["wall_time_s"] = report.wall_time_s;
-  json["cpu_time_s"] = report.cpu_time_s;
-  json["peak_rss_bytes"] = report.peak_rss_bytes;
+  json["algorithm"] = output.algorithm;
+  json["parameters"] = output.parameters;
+  json["seed"] = output.seed;
+  json["threads"] = output.threads;
+  json["n"] = output.n;
+  json["distinct"] = output.distinct;
+  json["duplicates"] = output.duplicates;
+  json["hull_size"] = output.hull_size;
+  json["triangles"] = or_null(run.triangles);
+  json["edges"] = or_null(run.edges);
+  json["weight_lower"] = or_null(run.weight_lower);
+  json["weight_upper"] = or_null(run.weight_upper);
+  json["perimeter_sum"] = or_null(run.perimeter_sum);
+  json["count"] = run.triangulation_count.empty() ? Json() : Json(run.triangulation_count);
+  json["stopped_early"] = run.stop_reason.has_value();
+  json["stop_reason"] = run.stop_reason ? Json(name_of(*run.stop_reason)) : Json();
+  json["optimum_lower"] = or_null(run.optimum_lower);
+  json["optimum_upper"] = or_null(run.optimum_upper);
+  json["optimality"] = run.optimality.empty() ? "none" : run.optimality;
+  json["optimum_cached"] = output.optimum_cached;
+  json["alpha_lower"] = or_null(run.alpha_lower);
+  json["alpha_upper"] = or_null(run.alpha_upper);
+  json["valid"] = run.checker == "ok";
+  json["wall_time_s"] = or_null(run.wall_time_s);
+  json["cpu_time_s"] = or_null(run.cpu_time_s);
+  json["peak_rss_bytes"] = or_null(run.peak_rss_bytes);
   json["phases"] = phases;
-  json["counters"] = report.counters;
+  json["counters"] = counters;
   return text_of(json);
 }
 

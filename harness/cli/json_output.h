@@ -7,12 +7,12 @@
 
 #include "algorithms/algorithm.h"
 #include "generators/generator.h"
-#include "harness/cli/solve_report.h"
+#include "harness/cli/solve_output.h"
 
 namespace mwt {
 
-/// One object with exactly the report's fields, those it lacks null; numbers read back as the same doubles.
-[[nodiscard]] std::string to_json(const SolveReport& report);
+/// One object with the fields of DESIGN, those it lacks null; numbers read back as the same doubles.
+[[nodiscard]] std::string to_json(const SolveOutput& output);
 
 /// Arrays with one object per entry.
 [[nodiscard]] std::string to_json(std::span<const AlgorithmInfo> algorithms);

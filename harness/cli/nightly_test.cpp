@@ -23,7 +23,7 @@ esac
 )sh";
 
 // Stands for the dashboard: its options, for the tests to read.
-constexpr const char* kDashboard = "#!/bin/sh\nprintf '%s\\n' \"$@\" >results/nightly runs/dashboard.html\n";
+constexpr const char* kDashboard = "#!/bin/sh\nprintf '%s\\n' \"$@\" >results/nightly/dashboard.html\n";
 
 class Nightly : public testing::CommandTest {
  protected:
@@ -131,7 +131,7 @@ TEST_F(Nightly, FailedRunsAreTheComparisonsMatter) {
 
 TEST_F(Nightly, TwoNightsDoNotRunAtATime) {
   std::filesystem::create_directories(path("results/nightly"));
-  EXPECT_EQ(shell("flock results/nightly runs/lock ./nightly >.out 2>.err"), 2);
+  EXPECT_EQ(shell("flock results/nightly/lock ./nightly >.out 2>.err"), 2);
   EXPECT_NE(read(".err").find("another nightly run is running here"), std::string::npos);
 }
 

@@ -5,9 +5,8 @@
 #include <memory>
 
 #include "harness/cli/commands.h"
-#include "harness/rating/final_rating.h"
-#include "harness/rating/known_optima.h"
 #include "harness/rating/optimum_cache.h"
+#include "harness/records/known_optima.h"
 #include "harness/records/results_folder.h"
 #include "harness/report/failures.h"
 #include "harness/report/tables.h"
@@ -42,7 +41,7 @@ std::string default_folder(const Study& study, const Shard& shard) {
 // Failures are shown in any case. Returns the exit code that the records call for.
 ExitCode print_overview(const std::string& folder, bool with_alphas) {
   const StudyRecords records = read_records(folder);
-  const std::vector<RunRecord> runs = finally_rated(records);
+  const std::vector<RunRecord> runs = rated_by_all_bounds(records.runs, records.instances);
   const std::vector<Cell> cells = cells_of(runs);
   if (with_alphas) std::cout << '\n' << algorithm_table(cells, Labels(cells));
   for (const std::string& table : {failure_table(runs), stopped_early_table(runs)}) {

@@ -7,7 +7,7 @@
 #include "harness/cli/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/cli/json_output.h"
-#include "harness/cli/solve_report.h"
+#include "harness/cli/solve_output.h"
 #include "harness/io/given_triangulation.h"
 #include "harness/io/input_file.h"
 #include "harness/io/points/point_file.h"
@@ -18,6 +18,7 @@
 #include "harness/rating/optimum_claims.h"
 #include "harness/rating/optimum_search.h"
 #include "harness/rating/quality.h"
+#include "harness/rating/rated_run.h"
 #include "harness/run/catalogue.h"
 #include "harness/run/execution.h"
 #include "harness/run/start_triangulation.h"
@@ -96,16 +97,19 @@ std::optional<CachedOptimum> cached_of(OptimumCache& cache, const Instance& inst
 // What is known besides what the solution itself certifies. If that is the optimum, nothing more is sought, and it goes
 // into the cache; and an exact algorithm that did not prove it is not run again.
 FoundOptimum optimum_beyond(const Catalogue& catalogue, const Instance& instance, const Request& request,
-                            const Execution& execution, const Interval& weight, const Options& options) {
+                            const RatedRun& run, const Options& options) {
   std::optional<OptimumCache> cache = open_cache(options);
   const AlgorithmInfo& solver = *request.algorithm;
   const OptimumKey key = optimum_key(instance.id, solver, request.parameters);
+  const Interval weight{run.weight_lower.value(), run.weight_upper.value()};
   const auto earlier = cache ? cached_of(*cache, instance, key, weight) : std::nullopt;
-  const std::optional<Interval> own = witnessed_optimum(execution.solution.optimum, weight).interval;
-  if (optimality_of(own) == Optimality::proved) {
-    if (earlier && !overlap(earlier->interval, *own)) return cached(*earlier, solver);  // a contradiction: rate() tells
-    if (cache && solver.exactness == Exactness::exact) cache->store(key, {*own, execution.wall_time_s});
-    return {};
+  if (run.certified_lower) {
+    const Interval own{*run.certified_lower, weight.upper};
+    if (optimality_of(own) == Optimality::proved) {
+      if (earlier && !overlap(earlier->interval, own)) return cached(*earlier, solver);  // rate_by_all() reports it
+      if (cache && solver.exactness == Exactness::exact) cache->store(key, {own, run.wall_time_s.value()});
+      return {};
+    }
   }
   if (earlier) return cached(*earlier, solver);
   RunLimits limits;
@@ -117,54 +121,39 @@ FoundOptimum optimum_beyond(const Catalogue& catalogue, const Instance& instance
                         {"this solution", weight.upper});
 }
 
-SolveReport describe(const Request& request, const Instance& instance, const Execution& execution,
-                     const Judgement& judgement) {
-  SolveReport report;
-  report.algorithm = request.algorithm->name;
-  report.parameters = request.parameters.all();
-  report.seed = request.seed;
-  report.threads = request.threads;
-  report.n = instance.set.input_count;
-  report.distinct = static_cast<Index>(instance.set.points.size());
-  report.duplicates = instance.set.duplicates();
-  report.hull_size = instance.hull_size;
-  report.triangles = execution.solution.triangulation.triangles.size();
-  report.count = execution.solution.count;
-  report.stop_reason = execution.solution.stop_reason;
-  report.valid = !judgement.violation;
-  report.wall_time_s = execution.wall_time_s;
-  report.cpu_time_s = execution.cpu_time_s;
-  report.peak_rss_bytes = execution.peak_rss_bytes;
-  report.phases = execution.phases;
-  report.counters = execution.solution.counters;
-  if (report.valid) {
-    report.edges = judgement.edges;
-    report.weight = judgement.weight;
-    report.perimeter_sum = judgement.perimeter_sum.middle();
-  }
-  return report;
+SolveOutput describe(const Request& request, const Instance& instance, RatedRun run) {
+  SolveOutput output;
+  output.algorithm = request.algorithm->name;
+  output.parameters = request.parameters.all();
+  output.seed = request.seed;
+  output.threads = request.threads;
+  output.n = instance.set.input_count;
+  output.distinct = static_cast<Index>(instance.set.points.size());
+  output.duplicates = instance.set.duplicates();
+  output.hull_size = instance.hull_size;
+  output.run = std::move(run);
+  return output;
 }
 
-// Fills in what is certified. Returns the claims that triangulations disprove: failures of this program.
-std::vector<std::string> rate(SolveReport& report, const std::optional<Interval>& claimed, const FoundOptimum& found) {
+// Rates the run by what it certifies and what was found besides. Returns the claims that triangulations disprove:
+// failures of this program.
+std::vector<std::string> rate_by_all(RatedRun& run, const std::string& algorithm, const FoundOptimum& found) {
   std::vector<std::string> contradictions = found.contradictions;
+  OptimumClaims claims;
   const auto add = [&](const std::vector<Disproof>& disproofs) {
     for (const Disproof& disproof : disproofs) contradictions.push_back(disproof.text());
   };
-  const double weight = report.weight->upper;
-  const WitnessedOptimum own = witnessed_optimum(claimed, *report.weight);
-  if (own.contradiction) add({{{"", report.algorithm, *claimed}, "", weight}});
-  OptimumClaims claims;
   if (found.interval) {
     const std::string source = found.is_cached ? cached_claimant(found.source) : found.source;
     add(claims.add_claim({"", source, *found.interval}));
   }
-  add(claims.add_weight({report.algorithm, weight}));
-  if (own.interval) add(claims.add_claim({"", report.algorithm, *own.interval}));
-  report.optimum = claims.bounds();
-  if (report.optimum) report.alpha = alpha_of(*report.weight, *report.optimum);
-  report.optimality = name_of(optimality_of(report.optimum));
-  report.optimum_cached = found.is_cached;
+  if (is_disproved(run)) {
+    contradictions.push_back(run.message);
+    run.status = RunStatus::ok;  // the triangulation is valid all the same
+    run.certified_lower.reset();
+  }
+  add(add_run(claims, "", algorithm, run));
+  rate(run, claims.bounds());
   return contradictions;
 }
 
@@ -202,9 +191,9 @@ void write_files(const Options& options, const Instance& instance, const std::ve
 }
 
 // Standard output is for the file if one goes there.
-void print(const Options& options, const SolveReport& report) {
+void print(const Options& options, const SolveOutput& output) {
   std::ostream& out = output_to_standard_output(outputs_of(options)) ? std::cerr : std::cout;
-  out << (options.json ? to_json(report) : readable_text(report));
+  out << (options.json ? to_json(output) : readable_text(output));
 }
 
 int solve(const Options& options) {
@@ -215,18 +204,19 @@ int solve(const Options& options) {
   const Request request = make_request(options, catalogue, instance, input);
   require_usable_outputs(options, request);
   const Execution execution = execute_once(request, instance.set.points);
-  const Judgement judgement = judge(instance.set.points, execution.solution.triangulation);
-  SolveReport report = describe(request, instance, execution, judgement);
-  if (judgement.violation) {
-    print(options, report);
-    throw std::logic_error(report.algorithm + " returned no triangulation: " + *judgement.violation);
+  SolveOutput output = describe(request, instance, judged(*request.algorithm, instance.set.points, execution));
+  RatedRun& run = output.run;
+  if (run.status == RunStatus::invalid_output) {
+    print(options, output);
+    throw std::logic_error(output.algorithm + " returned no triangulation: " + run.message);
   }
   FoundOptimum found;
-  if (options.with_optimum) found = optimum_beyond(catalogue, instance, request, execution, judgement.weight, options);
+  if (options.with_optimum) found = optimum_beyond(catalogue, instance, request, run, options);
   for (const std::string& warning : found.warnings) warn(warning);
-  const std::vector<std::string> contradictions = rate(report, execution.solution.optimum, found);
+  output.optimum_cached = found.is_cached;
+  const std::vector<std::string> contradictions = rate_by_all(run, output.algorithm, found);
   write_files(options, instance, input, execution.solution.triangulation);
-  print(options, report);
+  print(options, output);
   if (!contradictions.empty()) throw std::logic_error(joined(contradictions, "; "));
   return kExitOk;
 }

@@ -5,36 +5,20 @@
 #include <utility>
 
 #include "base/error.h"
-#include "geometry/checker.h"
-#include "geometry/weight.h"
-#include "harness/rating/optimum_claims.h"
 #include "harness/rating/quality.h"
+#include "harness/rating/rated_run.h"
 
 namespace mwt {
 
 namespace {
 
-// A solution that the checker accepts, and its weight.
-struct CheckedSolution {
-  Solution solution;
-  Interval weight;
-};
-
-CheckedSolution solve_checked(const Request& request, Points points) {
-  Context context;
-  context.seed = request.seed;
-  context.threads = request.threads;
-  context.parameters = request.parameters;
-  if (request.time_limit_s) {
-    const std::chrono::duration<double> limit(*request.time_limit_s);
-    context.deadline = Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(limit);
+// The run, or what went wrong with its triangulation.
+RatedRun run_here(const Request& request, Points points) {
+  RatedRun run = judged(*request.algorithm, points, solve_unmeasured(request, points));
+  if (run.status == RunStatus::invalid_output) {
+    throw std::logic_error(request.algorithm->name + ": invalid triangulation: " + run.message);
   }
-  Solution solution = request.algorithm->function(points, context);
-  if (const auto violation = find_violation(points, solution.triangulation)) {
-    throw std::logic_error(request.algorithm->name + ": invalid triangulation: " + violation->message);
-  }
-  const Interval found = weight(points, solution.triangulation);
-  return {std::move(solution), found};
+  return run;
 }
 
 Request request_for(const AlgorithmInfo& solver) {
@@ -55,24 +39,23 @@ const AlgorithmInfo& solver_for_hunt(const Catalogue& catalogue, Index n) {
 AlphaOracle::AlphaOracle(Request request, const AlgorithmInfo& solver)
     : request_(std::move(request)), solver_(solver) {}
 
-DisprovedOptimum AlphaOracle::disproved(const Interval& claimed, const std::string& witness, const Interval& weight,
-                                        const std::vector<Point>& points) const {
-  return {Disproof{{"", solver_.name, claimed}, witness, weight.upper}.text(), points};
-}
-
-std::optional<Interval> AlphaOracle::rate(const std::vector<Point>& points) const {
+std::optional<Interval> AlphaOracle::alpha(const std::vector<Point>& points) const {
   try {
     const PointSet set = make_point_set(points, "hunt");
     if (set.duplicates() > 0) return std::nullopt;
-    const CheckedSolution reference = solve_checked(request_for(solver_), points);
-    const WitnessedOptimum optimum = witnessed_optimum(reference.solution.optimum, reference.weight);
-    if (optimum.contradiction) throw disproved(*reference.solution.optimum, "", reference.weight, points);
-    if (optimality_of(optimum.interval) != Optimality::proved) return std::nullopt;
-    const CheckedSolution found = solve_checked(request_, points);
-    if (found.weight.upper < optimum.interval->lower) {
-      throw disproved(*optimum.interval, request_.algorithm->name, found.weight, points);
-    }
-    return alpha_of(found.weight, *optimum.interval);
+    OptimumClaims claims;
+    const auto add = [&](const Request& request) {
+      RatedRun run = run_here(request, points);
+      if (is_disproved(run)) throw DisprovedOptimum(run.message, points);
+      const auto disproofs = add_run(claims, request.algorithm->name, request.algorithm->name, run);
+      if (!disproofs.empty()) throw DisprovedOptimum(disproofs.front().text(), points);
+      return run;
+    };
+    add(request_for(solver_));
+    if (optimality_of(claims.bounds()) != Optimality::proved) return std::nullopt;
+    RatedRun run = add(request_);
+    rate(run, claims.bounds());
+    return Interval{run.alpha_lower.value(), run.alpha_upper.value()};
   } catch (const InputError&) {
     return std::nullopt;
   } catch (const NotApplicable&) {

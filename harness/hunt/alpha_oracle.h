@@ -37,15 +37,12 @@ class AlphaOracle {
   /// instance (duplicates, all collinear, not finite), if either algorithm does not take them, or if the solver does
   /// not prove its result within a second. Throws std::logic_error if a triangulation is invalid, and DisprovedOptimum
   /// if the algorithm's, or the solver's own, is lighter than the solver's bound.
-  [[nodiscard]] std::optional<Interval> rate(const std::vector<Point>& points) const;
+  [[nodiscard]] std::optional<Interval> alpha(const std::vector<Point>& points) const;
 
   [[nodiscard]] const Request& request() const { return request_; }
   [[nodiscard]] const AlgorithmInfo& solver() const { return solver_; }
 
  private:
-  [[nodiscard]] DisprovedOptimum disproved(const Interval& claimed, const std::string& witness, const Interval& weight,
-                                           const std::vector<Point>& points) const;
-
   Request request_;
   const AlgorithmInfo& solver_;
 };

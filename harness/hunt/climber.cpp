@@ -16,7 +16,7 @@ void Climber::step() {
   const std::uint64_t patience = 400 * std::uint64_t{n_};
   if (state_.evaluations - state_.last_progress > patience) start_anew(engine);
   std::vector<Point> points = proposal(engine);
-  const std::optional<Interval> alpha = oracle_.rate(points);
+  const std::optional<Interval> alpha = oracle_.alpha(points);
   if (!alpha || alpha->lower < state_.current.alpha) return;
   if (alpha->lower > state_.current.alpha) state_.last_progress = state_.evaluations;
   state_.current = {std::move(points), alpha->lower};

@@ -40,14 +40,14 @@ TEST(AlphaOracle, rates_what_it_can_and_nothing_else) {
   const HuntPlan plan = plan_for("delaunay", 5);
   const AlphaOracle oracle(plan.request, *plan.solver);
   // A flat quadrilateral: Delaunay takes the long diagonal when the short one is the other.
-  const std::optional<Interval> alpha = oracle.rate({{0, 0}, {10, 1}, {20, 0}, {10, -5}, {10, 12}});
+  const std::optional<Interval> alpha = oracle.alpha({{0, 0}, {10, 1}, {20, 0}, {10, -5}, {10, 12}});
   ASSERT_TRUE(alpha);
   EXPECT_GE(alpha->lower, 1);
   EXPECT_LT(alpha->relative_width(), 1e-12);
-  EXPECT_FALSE(oracle.rate({{0, 0}, {1, 0}, {2, 0}})) << "collinear";
-  EXPECT_FALSE(oracle.rate({{0, 0}, {1, 0}, {0, 0}, {0, 1}})) << "duplicates";
+  EXPECT_FALSE(oracle.alpha({{0, 0}, {1, 0}, {2, 0}})) << "collinear";
+  EXPECT_FALSE(oracle.alpha({{0, 0}, {1, 0}, {0, 0}, {0, 1}})) << "duplicates";
   const HuntPlan convex = plan_for("polygon_dp", 5);
-  EXPECT_FALSE(AlphaOracle(convex.request, *convex.solver).rate({{0, 0}, {4, 0}, {0, 4}, {1, 1}})) << "not applicable";
+  EXPECT_FALSE(AlphaOracle(convex.request, *convex.solver).alpha({{0, 0}, {4, 0}, {0, 4}, {1, 1}})) << "not applicable";
 }
 
 TEST(AlphaOracle, an_invalid_triangulation_is_no_find_but_a_failure) {
@@ -61,7 +61,7 @@ TEST(AlphaOracle, an_invalid_triangulation_is_no_find_but_a_failure) {
   };
   HuntPlan plan = plan_for("delaunay", 5);
   plan.request.algorithm = &broken;
-  EXPECT_THROW((void)AlphaOracle(plan.request, *plan.solver).rate({{0, 0}, {4, 0}, {0, 4}, {1, 1}}), std::logic_error);
+  EXPECT_THROW((void)AlphaOracle(plan.request, *plan.solver).alpha({{0, 0}, {4, 0}, {0, 4}, {1, 1}}), std::logic_error);
   TestFolder folder;
   EXPECT_THROW((void)run(plan, 100, folder.path("state")), std::logic_error);
 }
@@ -79,7 +79,7 @@ TEST(AlphaOracle, a_lighter_triangulation_disproves_the_solver) {
   const HuntPlan plan = plan_for("delaunay", 5);
   const std::vector<Point> points = {{0, 0}, {10, 1}, {20, 0}, {10, -5}, {10, 12}, {3, 4}, {15, 3}};
   try {
-    static_cast<void>(AlphaOracle(plan.request, wrong).rate(points));
+    static_cast<void>(AlphaOracle(plan.request, wrong).alpha(points));
     ADD_FAILURE();
   } catch (const DisprovedOptimum& failure) {
     EXPECT_TRUE(std::string(failure.what()).starts_with("CONTRADICTION: wrong certified that no triangulation weighs"));
@@ -98,7 +98,7 @@ TEST(AlphaOracle, a_solver_that_its_own_triangulation_disproves_is_a_failure) {
     return solution;
   };
   const HuntPlan plan = plan_for("delaunay", 5);
-  EXPECT_THROW((void)AlphaOracle(plan.request, wrong).rate({{0, 0}, {4, 0}, {0, 4}, {1, 1}}), DisprovedOptimum);
+  EXPECT_THROW((void)AlphaOracle(plan.request, wrong).alpha({{0, 0}, {4, 0}, {0, 4}, {1, 1}}), DisprovedOptimum);
 }
 
 TEST(Hunt, moves_change_points_and_keep_their_number) {
@@ -190,7 +190,7 @@ TEST(HuntSlow, beats_the_worst_of_10000_random_instances) {
   RandomEngine engine = make_engine("test", 1);
   double worst = 1;
   for (int i = 0; i < 10'000; ++i) {
-    const std::optional<Interval> alpha = oracle.rate(random_start(10, engine));
+    const std::optional<Interval> alpha = oracle.alpha(random_start(10, engine));
     if (alpha) worst = std::max(worst, alpha->upper);
   }
   TestFolder folder;

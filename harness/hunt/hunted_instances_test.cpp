@@ -17,7 +17,7 @@ TEST(HuntedInstances, are_as_bad_for_greedy_as_when_they_were_found) {
     Request request;
     request.algorithm = &catalogue.algorithm("greedy");
     const auto n = static_cast<Index>(instance.points.size());
-    const std::optional<Interval> alpha = AlphaOracle(request, solver_for_hunt(catalogue, n)).rate(instance.points);
+    const std::optional<Interval> alpha = AlphaOracle(request, solver_for_hunt(catalogue, n)).alpha(instance.points);
     ASSERT_TRUE(alpha) << n;
     EXPECT_NEAR(alpha->lower, instance.alpha, 1e-12) << n;
     ++rated;

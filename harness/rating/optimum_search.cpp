@@ -2,136 +2,139 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
+#include <memory>
 #include <utility>
 
 #include "base/error.h"
 #include "base/number_text.h"
 #include "harness/io/text/text.h"
-#include "harness/rating/known_optima.h"
+#include "harness/rating/isolated_run.h"
 #include "harness/rating/quality.h"
-#include "harness/run/isolated_run.h"
-#include "harness/study/plan.h"
 
 namespace mwt {
 
 namespace {
 
-// One search, alive as long as a process of it runs.
-struct Search : std::enable_shared_from_this<Search> {
-  ProcessPool& pool;
-  std::shared_ptr<const Instance> instance;
-  std::vector<const AlgorithmInfo*> sources;
-  RunLimits limits;
-  OptimumCache* cache = nullptr;
-  std::function<void(FoundOptimum)> when_done;
-  std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
-  std::size_t next = 0;
-  OptimumClaims claims;
-  FoundOptimum found;
+OptimumKey key_of(const Instance& instance, const AlgorithmInfo& source) {
+  return optimum_key(instance.id, source, Parameters(source.name, source.parameters, {}));
+}
 
-  explicit Search(ProcessPool& p) : pool(p) {}
+// What a source came to, for the note on an optimum that is not proved in the end.
+std::string summary_of(const RatedRun& run) {
+  if (run.status != RunStatus::ok) {
+    return std::string(name_of(run.status)) + (run.message.empty() ? "" : ", " + run.message);
+  }
+  if (!run.certified_lower) return "no bounds";
+  return "bounds " + number_text(*run.certified_lower) + " to " + number_text(run.weight_upper.value()) +
+         (run.stop_reason ? ", stopped early, " + std::string(phrase_of(*run.stop_reason)) : "");
+}
 
-  void begin_search() {
-    if (cache) look_up();
-    ask_next_source();
+// A search, however its sources are run.
+class Search {
+ public:
+  Search(const Instance& instance, std::vector<const AlgorithmInfo*> sources, OptimumCache* cache,
+         const std::optional<KnownWeight>& known)
+      : instance_(instance), sources_(std::move(sources)), cache_(cache) {
+    if (known) static_cast<void>(claims_.add_weight(*known));
+    if (cache_ != nullptr) look_up();
   }
 
+  // The source to run now; null once the optimum is proved or no source is left.
+  const AlgorithmInfo* next_source() { return is_proved() || next_ == sources_.size() ? nullptr : sources_[next_++]; }
+
+  void add(const AlgorithmInfo& source, const RatedRun& run) {
+    found_.note += (found_.note.empty() ? "" : "; ") + source.name + ": " + summary_of(run);
+    if (is_disproved(run)) found_.contradictions.push_back(run.message);
+    const std::vector<Disproof> disproofs = add_run(claims_, source.name, source.name, run);
+    for (const Disproof& disproof : disproofs) found_.contradictions.push_back(disproof.text());
+    const bool stands =
+        std::ranges::none_of(disproofs, [&](const Disproof& disproof) { return disproof.claim.id == source.name; });
+    if (cache_ == nullptr || !stands || run.status != RunStatus::ok || !run.certified_lower) return;
+    cache_->store(key_of(instance_, source),
+                  {{*run.certified_lower, run.weight_upper.value()}, run.wall_time_s.value_or(0)});
+  }
+
+  FoundOptimum finish() {
+    found_.interval = claims_.bounds();
+    found_.source = standing_sources();
+    if (is_proved()) found_.note = found_.is_cached ? kCachedNote : "";
+    if (!found_.contradictions.empty()) {
+      found_.note = joined(found_.contradictions, "; ") + (found_.note.empty() ? "" : "; ") + found_.note;
+    }
+    if (!found_.warnings.empty() && claims_.lightest()) {
+      static_cast<void>(cache_->discard_disproved(instance_.id, claims_.lightest()->weight));
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    found_.time_s = elapsed.count();
+    return std::move(found_);
+  }
+
+ private:
   // All keys before any search: whichever source proved the optimum, it is proved.
   void look_up() {
-    OptimumClaims cached = claims;
-    for (const AlgorithmInfo* source : sources) {
-      const OptimumKey key = key_of(*source);
-      const std::optional<CachedOptimum> entry = cache->find(key);
+    OptimumClaims cached = claims_;
+    for (const AlgorithmInfo* source : sources_) {
+      const std::optional<CachedOptimum> entry = cache_->find(key_of(instance_, *source));
       if (!entry) continue;
       const OptimumClaim claim{source->name, cached_claimant(source->name), entry->interval};
       for (const Disproof& disproof : cached.add_claim(claim)) {
-        found.warnings.push_back(disproof.text() + "; the optimum is sought anew");
+        found_.warnings.push_back(disproof.text() + "; the optimum is sought anew");
       }
     }
-    if (!found.warnings.empty()) return;
-    claims = cached;
-    found.is_cached = is_proved();
+    if (!found_.warnings.empty()) return;
+    claims_ = cached;
+    found_.is_cached = is_proved();
   }
 
-  [[nodiscard]] OptimumKey key_of(const AlgorithmInfo& source) const {
-    return optimum_key(instance->id, source, Parameters(source.name, source.parameters, {}));
-  }
-
-  [[nodiscard]] bool is_proved() const { return optimality_of(claims.bounds()) == Optimality::proved; }
-
-  void ask_next_source() {
-    if (is_proved() || next == sources.size()) {
-      finish();
-      return;
-    }
-    const AlgorithmInfo& source = *sources[next++];
-    Request request;
-    request.algorithm = &source;
-    request.parameters = Parameters(source.name, source.parameters, {});
-    request.time_limit_s = limits.time_s;
-    RunRecord keys;
-    keys.algorithm = source.name;
-    const Timing once{1e-9, false};
-    start_isolated_run(pool, request, instance, keys, limits, once,
-                       [self = shared_from_this(), &source](const RunRecord& record) { self->take(source, record); });
-  }
-
-  void take(const AlgorithmInfo& source, const RunRecord& record) {
-    note(source.name + ": " + answer_of(record));
-    if (is_disproved(record)) found.contradictions.push_back(record.message);
-    if (record.status == RunStatus::ok) believe(source, record);
-    ask_next_source();
-  }
-
-  void believe(const AlgorithmInfo& source, const RunRecord& record) {
-    const double weight = record.weight_upper.value();
-    if (!record.certified_lower) {
-      add(claims.add_weight({source.name, weight}));
-      return;
-    }
-    const OptimumClaim claim{source.name, source.name, {*record.certified_lower, weight}};
-    const std::vector<Disproof> disproofs = claims.add_claim(claim);
-    add(disproofs);
-    const bool stands = std::none_of(disproofs.begin(), disproofs.end(),
-                                     [&](const Disproof& disproof) { return disproof.claim.id == claim.id; });
-    if (cache && stands) cache->store(key_of(source), {claim.bounds, record.wall_time_s.value_or(0)});
-  }
-
-  void add(const std::vector<Disproof>& disproofs) {
-    for (const Disproof& disproof : disproofs) found.contradictions.push_back(disproof.text());
-  }
-
-  // For the note on an optimum that is not proved in the end.
-  static std::string answer_of(const RunRecord& record) {
-    if (record.status != RunStatus::ok) {
-      return std::string(name_of(record.status)) + (record.message.empty() ? "" : ", " + record.message);
-    }
-    if (!record.certified_lower) return "no bounds";
-    return "bounds " + number_text(*record.certified_lower) + " to " + number_text(record.weight_upper.value()) +
-           (record.stop_reason ? ", stopped early, " + std::string(phrase_of(*record.stop_reason)) : "");
-  }
-
-  void note(const std::string& text) { found.note += (found.note.empty() ? "" : "; ") + text; }
+  [[nodiscard]] bool is_proved() const { return optimality_of(claims_.bounds()) == Optimality::proved; }
 
   [[nodiscard]] std::string standing_sources() const {
     std::vector<std::string> names;
-    for (const OptimumClaim& claim : claims.standing()) names.push_back(claim.id);
+    for (const OptimumClaim& claim : claims_.standing()) names.push_back(claim.id);
     return joined(names, "+");
   }
 
-  void finish() {
-    found.interval = claims.bounds();
-    found.source = standing_sources();
-    if (is_proved()) found.note = found.is_cached ? kCachedNote : "";
-    if (!found.contradictions.empty()) {
-      found.note = joined(found.contradictions, "; ") + (found.note.empty() ? "" : "; ") + found.note;
+  const Instance& instance_;
+  std::vector<const AlgorithmInfo*> sources_;
+  OptimumCache* cache_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::size_t next_ = 0;
+  OptimumClaims claims_;
+  FoundOptimum found_;
+};
+
+Request request_for(const AlgorithmInfo& source, double time_limit_s) {
+  Request request;
+  request.algorithm = &source;
+  request.parameters = Parameters(source.name, source.parameters, {});
+  request.time_limit_s = time_limit_s;
+  return request;
+}
+
+// One source after the other, each in a process; alive as long as one of them runs.
+struct IsolatedSearch : std::enable_shared_from_this<IsolatedSearch> {
+  ProcessPool& pool;
+  std::shared_ptr<const Instance> instance;
+  Search search;
+  RunLimits limits;
+  std::function<void(FoundOptimum)> when_done;
+
+  IsolatedSearch(ProcessPool& the_pool, std::shared_ptr<const Instance> the_instance, Search the_search)
+      : pool(the_pool), instance(std::move(the_instance)), search(std::move(the_search)) {}
+
+  void run_next_source() {
+    const AlgorithmInfo* source = search.next_source();
+    if (source == nullptr) {
+      when_done(search.finish());
+      return;
     }
-    if (!found.warnings.empty() && claims.lightest()) {
-      static_cast<void>(cache->discard_disproved(instance->id, claims.lightest()->weight));
-    }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    found.time_s = elapsed.count();
-    when_done(std::move(found));
+    const Timing once{1e-9, false};
+    start_isolated_run(pool, request_for(*source, limits.time_s), instance, limits, once,
+                       [self = shared_from_this(), source](const RatedRun& run) {
+                         self->search.add(*source, run);
+                         self->run_next_source();
+                       });
   }
 };
 
@@ -173,14 +176,26 @@ OptimumKey optimum_key(const std::string& instance_id, const AlgorithmInfo& solv
 void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
                   std::vector<const AlgorithmInfo*> sources, const RunLimits& limits, OptimumCache* cache,
                   const std::optional<KnownWeight>& known, std::function<void(FoundOptimum)> when_done) {
-  const auto search = std::make_shared<Search>(pool);
-  search->instance = std::move(instance);
-  search->sources = std::move(sources);
-  search->limits = limits;
-  search->cache = cache;
-  search->when_done = std::move(when_done);
-  if (known) static_cast<void>(search->claims.add_weight(*known));
-  search->begin_search();
+  Search search(*instance, std::move(sources), cache, known);
+  const auto isolated = std::make_shared<IsolatedSearch>(pool, std::move(instance), std::move(search));
+  isolated->limits = limits;
+  isolated->when_done = std::move(when_done);
+  isolated->run_next_source();
+}
+
+FoundOptimum seek_optimum_here(const Instance& instance, const std::vector<const AlgorithmInfo*>& sources,
+                               double time_limit_s) {
+  Search search(instance, sources, nullptr, std::nullopt);
+  while (const AlgorithmInfo* source = search.next_source()) {
+    RatedRun run;
+    try {
+      run = judged(*source, instance.set.points, execute_once(request_for(*source, time_limit_s), instance.set.points));
+    } catch (const NotApplicable& reason) {
+      fail(run, RunStatus::not_applicable, reason.what());
+    }
+    search.add(*source, run);
+  }
+  return search.finish();
 }
 
 }  // namespace mwt

@@ -7,14 +7,24 @@
 #include <string>
 #include <vector>
 
+#include "harness/rating/isolated_run.h"
 #include "harness/rating/optimum_cache.h"
 #include "harness/rating/optimum_claims.h"
 #include "harness/run/catalogue.h"
 #include "harness/run/execution.h"
 #include "harness/run/process_pool.h"
-#include "harness/study/study.h"
 
 namespace mwt {
+
+/// An exact algorithm that may compute the optimum of an instance.
+struct OptimumSource {
+  std::string algorithm;
+  std::optional<Index> max_n;  ///< at most the registry's
+  std::string place;           ///< "FILE:LINE" for messages
+};
+
+/// The note on an optimum that came from the optimum cache.
+inline constexpr const char* kCachedNote = "cached";
 
 struct FoundOptimum {
   std::optional<Interval> interval;
@@ -46,5 +56,9 @@ struct FoundOptimum {
 void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
                   std::vector<const AlgorithmInfo*> sources, const RunLimits& limits, OptimumCache* cache,
                   const std::optional<KnownWeight>& known, std::function<void(FoundOptimum)> when_done);
+
+/// The same in this process, without limits but the deadline of each source, and without a cache.
+[[nodiscard]] FoundOptimum seek_optimum_here(const Instance& instance, const std::vector<const AlgorithmInfo*>& sources,
+                                             double time_limit_s);
 
 }  // namespace mwt

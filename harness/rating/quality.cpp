@@ -14,11 +14,11 @@ std::string_view name_of(Optimality optimality) {
   return "none";
 }
 
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::no: return "no";
-    case Verdict::yes: return "yes";
-    case Verdict::undecided: return "undecided";
+std::string_view name_of(Decision decision) {
+  switch (decision) {
+    case Decision::no: return "no";
+    case Decision::yes: return "yes";
+    case Decision::undecided: return "undecided";
   }
   return "undecided";
 }
@@ -63,11 +63,11 @@ Interval alpha_of(const Interval& weight, const Interval& optimum) {
   return {std::max(1.0, divide_down(weight.lower, optimum.upper)), divide_up(weight.upper, optimum.lower)};
 }
 
-Verdict is_optimal(const Interval& weight, const std::optional<Interval>& optimum) {
-  if (optimality_of(optimum) == Optimality::none) return Verdict::undecided;
-  if (weight.lower > optimum->upper) return Verdict::no;
+Decision is_optimal(const Interval& weight, const std::optional<Interval>& optimum) {
+  if (optimality_of(optimum) == Optimality::none) return Decision::undecided;
+  if (weight.lower > optimum->upper) return Decision::no;
   const bool proved = optimality_of(optimum) == Optimality::proved;
-  return proved && weight.upper <= optimum->upper ? Verdict::yes : Verdict::undecided;
+  return proved && weight.upper <= optimum->upper ? Decision::yes : Decision::undecided;
 }
 
 }  // namespace mwt

@@ -38,11 +38,11 @@ struct WitnessedOptimum {
 /// Precondition: positive finite optimum, weight of a triangulation of the same points.
 [[nodiscard]] Interval alpha_of(const Interval& weight, const Interval& optimum);
 
-enum class Verdict { no, yes, undecided };
-[[nodiscard]] std::string_view name_of(Verdict verdict);
+enum class Decision { no, yes, undecided };
+[[nodiscard]] std::string_view name_of(Decision decision);
 
 /// Whether a triangulation of this weight is optimal. yes: the optimum is proved and the weight's upper end is not
 /// above the optimum's; no: even its lower end is above; undecided otherwise, or without a certified optimum.
-[[nodiscard]] Verdict is_optimal(const Interval& weight, const std::optional<Interval>& optimum);
+[[nodiscard]] Decision is_optimal(const Interval& weight, const std::optional<Interval>& optimum);
 
 }  // namespace mwt

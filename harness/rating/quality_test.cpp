@@ -59,11 +59,11 @@ TEST(Quality, ProvedMeansARelativeWidthOfAtMostOneInAMillionMillion) {
 
 TEST(Quality, OptimalOnlyWhenProvedAndNotHeavier) {
   const Interval optimum{1, next_up(1)};
-  EXPECT_EQ(is_optimal(optimum, optimum), Verdict::yes);
-  EXPECT_EQ(is_optimal({1.1, 1.2}, optimum), Verdict::no);
-  EXPECT_EQ(is_optimal({1, 1.2}, optimum), Verdict::undecided);
-  EXPECT_EQ(is_optimal({1, 1.05}, Interval{0.5, 1.05}), Verdict::undecided);
-  EXPECT_EQ(is_optimal({1, 1}, std::nullopt), Verdict::undecided);
+  EXPECT_EQ(is_optimal(optimum, optimum), Decision::yes);
+  EXPECT_EQ(is_optimal({1.1, 1.2}, optimum), Decision::no);
+  EXPECT_EQ(is_optimal({1, 1.2}, optimum), Decision::undecided);
+  EXPECT_EQ(is_optimal({1, 1.05}, Interval{0.5, 1.05}), Decision::undecided);
+  EXPECT_EQ(is_optimal({1, 1}, std::nullopt), Decision::undecided);
 }
 
 TEST(Quality, TheUpperEndOfAnOptimumIsTheCheckedTriangulation) {

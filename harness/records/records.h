@@ -5,18 +5,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "algorithms/stop_reason.h"
-#include "geometry/numbers/interval.h"
 #include "geometry/point.h"
-#include "harness/io/text/csv.h"
-#include "harness/io/text/text.h"
-#include "harness/run/status.h"
+#include "harness/io/columns.h"
+#include "harness/rating/rated_run.h"
 
 namespace mwt {
 
@@ -26,8 +21,8 @@ inline constexpr int kSchemaVersion = 3;
 inline constexpr std::size_t kFirstRunColumns = 43;
 inline constexpr std::size_t kFirstEnvironmentColumns = 20;
 
-/// One repetition of one algorithm on one instance. Measures are empty unless the run came to have them.
-struct RunRecord {
+/// One repetition of one algorithm on one instance: what was run, and what came of it.
+struct RunRecord : RatedRun {
   int schema_version = kSchemaVersion;
   std::string run_id;
   std::string study;
@@ -46,35 +41,7 @@ struct RunRecord {
   int threads = 1;
   double time_limit_s = 0;
   std::uint64_t memory_limit_bytes = 0;
-  RunStatus status = RunStatus::error;
-  std::string checker;
-  std::string message;
-  std::optional<double> wall_time_s;
-  std::optional<double> cpu_time_s;
-  std::optional<std::uint64_t> iterations;
-  std::optional<std::uint64_t> peak_rss_bytes;
-  std::optional<double> weight_lower;
-  std::optional<double> weight_upper;
-  std::optional<double> certified_lower;
-  std::optional<double> optimum_lower;
-  std::optional<double> optimum_upper;
-  std::string optimality;
-  std::optional<double> alpha_lower;
-  std::optional<double> alpha_upper;
-  std::string optimal;
-  std::optional<bool> stopped_early;
-  std::optional<double> perimeter_sum;
-  std::optional<std::uint64_t> triangles;
-  std::optional<std::uint64_t> edges;
-  std::string triangulation_count;
-  std::string phases;
-  std::string counters;
-  std::optional<double> delaunay_time_s;
-  std::optional<StopReason> stop_reason;
 };
-
-/// The optimum_note of an instance whose optimum came from the optimum cache.
-inline constexpr const char* kCachedNote = "cached";
 
 /// One instance, written when its optimum has been sought.
 struct InstanceRecord {
@@ -122,31 +89,9 @@ struct EnvironmentRecord {
   std::optional<std::uint64_t> throttle_events;
 };
 
-template <class Record>
-struct Column {
-  std::string name;
-  std::function<std::string(const Record&)> text_of;
-  std::function<void(Record&, const std::string&)> read;  ///< throws std::invalid_argument on malformed text, NaN
-                                                          ///< and times that are none
-};
-
 [[nodiscard]] const std::vector<Column<RunRecord>>& run_columns();
 [[nodiscard]] const std::vector<Column<InstanceRecord>>& instance_columns();
 [[nodiscard]] const std::vector<Column<EnvironmentRecord>>& environment_columns();
-
-template <class Record>
-[[nodiscard]] CsvRow header_of(const std::vector<Column<Record>>& columns) {
-  CsvRow row;
-  for (const Column<Record>& column : columns) row.push_back(column.name);
-  return row;
-}
-
-template <class Record>
-[[nodiscard]] CsvRow to_row(const std::vector<Column<Record>>& columns, const Record& record) {
-  CsvRow row;
-  for (const Column<Record>& column : columns) row.push_back(column.text_of(record));
-  return row;
-}
 
 /// Throws std::invalid_argument if fields contradict each other: the ends of an interval, or a finished run without
 /// what such a run has.
@@ -154,20 +99,12 @@ void require_consistent(const RunRecord& record);
 void require_consistent(const InstanceRecord& record);
 void require_consistent(const EnvironmentRecord& record);
 
-/// The record of a row. Throws std::invalid_argument "'nan' is no wall_time_s" if the row has a malformed field or
-/// another number of fields than columns, or is not consistent.
+/// The record of a row. Throws std::invalid_argument as read_row(), and if the record is not consistent.
 template <class Record>
-[[nodiscard]] Record record_of(const std::vector<Column<Record>>& columns, const CsvRow& row);
-
-/// The record of a row that need not be consistent yet, or nothing.
-template <class Record>
-[[nodiscard]] std::optional<Record> from_row(const std::vector<Column<Record>>& columns, const CsvRow& row);
-
-/// The optimum of a row as an interval, if it has one.
-template <class Record>
-[[nodiscard]] std::optional<Interval> optimum_of(const Record& record) {
-  if (!record.optimum_lower || !record.optimum_upper) return std::nullopt;
-  return Interval{*record.optimum_lower, *record.optimum_upper};
+[[nodiscard]] Record record_of(const std::vector<Column<Record>>& columns, const CsvRow& row) {
+  Record record = read_row(columns, row);
+  require_consistent(record);
+  return record;
 }
 
 /// "uniform n=100 seed=1", with the generator's parameters: the instance of a row, for messages.
@@ -176,10 +113,5 @@ template <class Record>
   return name_with_parameters(record.generator, record.generator_params) + " n=" + std::to_string(record.n) +
          " seed=" + std::to_string(record.seed);
 }
-
-/// "name=value name=value", values in their shortest form: phases and counters in one field. Blanks in names become
-/// '_'.
-template <class NamedNumbers>
-[[nodiscard]] std::string named_numbers(const NamedNumbers& numbers);
 
 }  // namespace mwt

@@ -15,7 +15,7 @@
 #include "base/error.h"
 #include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
-#include "harness/rating/known_optima.h"
+#include "harness/records/known_optima.h"
 
 namespace mwt {
 
@@ -111,7 +111,7 @@ bool holds_only_traces_of_a_start(const std::string& folder) {
 }
 
 // Whether the folder has its study.toml already.
-bool require_this_study(const std::string& folder, const Study& study) {
+bool require_this_study(const std::string& folder, const std::string& study_file) {
   const std::string copy = in_folder(folder, kStudyFile);
   if (!fs::exists(copy)) {
     if (holds_only_traces_of_a_start(folder)) return false;
@@ -119,13 +119,13 @@ bool require_this_study(const std::string& folder, const Study& study) {
                      ": has things in it, but no study.toml that tells of which study; choose another folder"
                      " with --out");
   }
-  if (read_regular_file(copy) == study.file_content) return true;
+  if (read_regular_file(copy) == study_file) return true;
   throw InputError(folder + ": its study.toml differs from this study; choose another folder with --out");
 }
 
-void require_same_name(const std::vector<RunRecord>& runs, const Study& study, const std::string& folder) {
+void require_same_name(const std::vector<RunRecord>& runs, const std::string& study, const std::string& folder) {
   for (const RunRecord& run : runs) {
-    if (run.study == study.name) continue;
+    if (run.study == study) continue;
     throw InputError(folder + ": holds runs of the study '" + run.study + "'; choose another folder with --out");
   }
 }
@@ -168,9 +168,11 @@ FolderLock::~FolderLock() { close(descriptor_); }
 void FolderLock::sync() const { static_cast<void>(fsync(descriptor_)); }
 
 // Everything is looked at before anything is written.
-ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool resume) : lock_(path) {
+ResultsFolder::ResultsFolder(const std::string& path, const std::string& study, const std::string& study_file,
+                             bool resume)
+    : lock_(path) {
   if (!resume) require_empty(path, "continue its study with --resume or choose another folder with --out");
-  const bool has_study_file = require_this_study(path, study);
+  const bool has_study_file = require_this_study(path, study_file);
   const auto open_file = [&](const char* name, const CsvRow& header) {
     return std::make_unique<CsvFile>(in_folder(path, name), header);
   };
@@ -181,7 +183,7 @@ ResultsFolder::ResultsFolder(const std::string& path, const Study& study, bool r
   instances_ = records_of(instance_file_->existing_rows(), instance_columns(), in_folder(path, kInstances));
   require_each_once(runs_, in_folder(path, kRuns));
   require_same_name(runs_, study, path);
-  if (!has_study_file) write_file_atomically(in_folder(path, kStudyFile), study.file_content);
+  if (!has_study_file) write_file_atomically(in_folder(path, kStudyFile), study_file);
   for (CsvFile* file : {run_file_.get(), instance_file_.get(), environment_file_.get()}) file->begin();
   lock_.sync();
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "harness/records/records.h"
-#include "harness/study/study.h"
 
 namespace mwt {
 
@@ -36,7 +35,8 @@ class FolderLock {
 /// it is in use; it cannot be written. Nothing that was there is changed then.
 class ResultsFolder {
  public:
-  ResultsFolder(const std::string& path, const Study& study, bool resume);
+  /// `study_file`: the content of the study file.
+  ResultsFolder(const std::string& path, const std::string& study, const std::string& study_file, bool resume);
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
 

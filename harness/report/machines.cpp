@@ -4,8 +4,8 @@
 #include <map>
 
 #include "harness/io/text/text.h"
-#include "harness/run/machine/environment.h"
-#include "harness/tracking/machine_state.h"
+#include "harness/records/environment.h"
+#include "harness/records/machine_state.h"
 
 namespace mwt {
 

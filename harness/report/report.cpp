@@ -5,12 +5,13 @@
 #include "base/error.h"
 #include "harness/claims/claims.h"
 #include "harness/io/output_file.h"
-#include "harness/rating/final_rating.h"
+#include "harness/records/known_optima.h"
 #include "harness/report/failures.h"
 #include "harness/report/growth_laws.h"
 #include "harness/report/machines.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
+#include "harness/study/study.h"
 
 namespace mwt {
 
@@ -73,7 +74,7 @@ void judge_source_report(const ReportData& data, std::ostream& out) {
 ReportData read_report_data(const std::string& folder) {
   StudyRecords records = read_records(folder);
   if (records.runs.empty()) throw InputError(folder + ": no runs are recorded here yet");
-  records.runs = finally_rated(records);
+  records.runs = rated_by_all_bounds(records.runs, records.instances);
   std::vector<std::string> warnings = keep_times_of_one_machine(records);
   std::vector<Cell> cells = cells_of(records.runs);
   std::vector<CellSummary> summaries = summarise(cells);

@@ -16,7 +16,7 @@ namespace mwt {
 /// Everything that the parts of a report are made from, computed once.
 struct ReportData {
   std::string folder;
-  StudyRecords records;               ///< the runs finally_rated(), with times of one machine only
+  StudyRecords records;               ///< the runs rated_by_all_bounds(), with times of one machine only
   std::vector<std::string> warnings;  ///< of keep_times_of_one_machine()
   std::vector<Cell> cells;
   std::vector<CellSummary> summaries;

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "harness/io/testing/folder_testing.h"
-#include "harness/rating/final_rating.h"
+#include "harness/records/known_optima.h"
 #include "harness/report/failures.h"
 #include "harness/report/machines.h"
 #include "harness/report/summary_files.h"
@@ -207,7 +207,7 @@ TEST(FinalRating, WhatWasProvedLaterCountsForAll) {
   records.runs[0].optimum_upper = 2;
   records.runs[0].optimality = "bounded";
   records.runs[1].certified_lower = 1;
-  const std::vector<RunRecord> rated = finally_rated(records);
+  const std::vector<RunRecord> rated = rated_by_all_bounds(records.runs, records.instances);
   EXPECT_EQ(rated[0].optimality, "proved");
   EXPECT_EQ(rated[0].alpha_upper, 2);
   EXPECT_EQ(rated[0].optimal, "no");
@@ -219,7 +219,7 @@ TEST(FinalRating, AClaimThatALighterTriangulationDisprovesIsTheError) {
   records.runs = {ok_run("sweep", 10, 1, 1, 2), ok_run("exact", 10, 1, 1, 1.5), ok_run("patch", 10, 1, 1, 1)};
   records.runs[1].certified_lower = 1.5;
   for (std::size_t i = 0; i < 3; ++i) records.runs[i].run_id = std::to_string(i);
-  const std::vector<RunRecord> rated = finally_rated(records);
+  const std::vector<RunRecord> rated = rated_by_all_bounds(records.runs, records.instances);
   EXPECT_EQ(rated[0].status, RunStatus::ok);
   EXPECT_FALSE(rated[0].alpha_upper);
   EXPECT_EQ(rated[1].status, RunStatus::error);

@@ -16,7 +16,7 @@ namespace mwt {
 /// The content of exponents.csv: one row per series and measure that has a law.
 [[nodiscard]] std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth);
 
-/// The content of ratings.csv: one row per run that is ok. `runs` are those of the report, finally_rated().
+/// The content of ratings.csv: one row per run that is ok. `runs` are those of the report, rated_by_all_bounds().
 [[nodiscard]] std::string ratings_csv(const std::string& study, const std::vector<RunRecord>& runs);
 
 }  // namespace mwt

@@ -53,4 +53,9 @@ std::vector<Point> generate_points(const GeneratorInfo& family, Index n, std::ui
   }
 }
 
+Index max_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& other) {
+  const Index own = algorithm.max_n == 0 ? kNoIndex : algorithm.max_n;
+  return std::min(own, other.value_or(kNoIndex));
+}
+
 }  // namespace mwt

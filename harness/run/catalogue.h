@@ -31,6 +31,9 @@ class Catalogue {
   std::span<const GeneratorInfo> generators_;
 };
 
+/// The smaller of an entry's limit and another one, such as a study's; 0 in an entry means none.
+[[nodiscard]] Index max_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& other);
+
 /// An instance is too large for this machine.
 class NotEnoughMemory : public InputError {
  public:

@@ -3,9 +3,7 @@
 #include <utility>
 
 #include "base/cpu_clock.h"
-#include "geometry/checker.h"
 #include "geometry/convex_hull.h"
-#include "geometry/weight.h"
 #include "harness/run/machine/peak_memory.h"
 #include "harness/run/repeated_timing.h"
 
@@ -61,20 +59,13 @@ Execution execute_repeatedly(const Request& request, Points points, double min_t
   return execution;
 }
 
-Execution execute_once(const Request& request, Points points) { return execute_repeatedly(request, points, 0); }
-
-Judgement judge(Points points, const Triangulation& triangulation) {
-  Judgement judgement;
-  if (const auto violation = find_violation(points, triangulation)) {
-    judgement.violation = violation->message;
-    return judgement;
-  }
-  judgement.weight = weight(points, triangulation);
-  judgement.perimeter_sum = perimeter_sum(points, triangulation);
-  judgement.triangles = triangulation.triangles.size();
-  // By Euler's formula, for the checker has seen that 3 sides per triangle pair up except on the hull.
-  judgement.edges = (judgement.triangles * 3 + convex_hull(points).size()) / 2;
-  return judgement;
+Execution solve_unmeasured(const Request& request, Points points) {
+  Context context = make_context(request);
+  Execution execution;
+  execution.solution = execute(request, points, context);
+  return execution;
 }
+
+Execution execute_once(const Request& request, Points points) { return execute_repeatedly(request, points, 0); }
 
 }  // namespace mwt

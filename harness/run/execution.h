@@ -1,5 +1,5 @@
-// Runs one algorithm on one instance, measures it, and judges what it returned. Everything that reports a time or a
-// weight goes through here: the command line, the workers of a study, the benchmarks.
+// Runs one algorithm on one instance and measures it. Everything that reports a time goes through here: the command
+// line, the workers of a study, the benchmarks.
 #pragma once
 
 #include <cstdint>
@@ -44,21 +44,14 @@ struct Execution {
   std::uint64_t iterations = 1;  ///< executions by which the times were taken
 };
 
+/// The solution alone, with nothing measured: as often as one likes, from any thread. Throws what the algorithm throws.
+[[nodiscard]] Execution solve_unmeasured(const Request& request, Points points);
+
 /// One execution. Throws what the algorithm throws; in particular NotApplicable.
 [[nodiscard]] Execution execute_once(const Request& request, Points points);
 
 /// As many executions as it takes to time one: exactly one if that uses `min_time_s` of CPU time, else as
 /// time_repeatedly() says. For repeated ones the times include releasing the previous solution.
 [[nodiscard]] Execution execute_repeatedly(const Request& request, Points points, double min_time_s);
-
-/// What the checker and the certified sums say about a triangulation.
-struct Judgement {
-  std::optional<std::string> violation;  ///< the rest is meaningless if there is one
-  Interval weight;
-  Interval perimeter_sum;
-  std::uint64_t triangles = 0;
-  std::uint64_t edges = 0;
-};
-[[nodiscard]] Judgement judge(Points points, const Triangulation& triangulation);
 
 }  // namespace mwt

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/weight.h"
+#include "geometry/checker.h"
 #include "harness/run/machine/peak_memory.h"
 #include "harness/run/testing/algorithms_testing.h"
 
@@ -25,7 +25,7 @@ TEST(Execution, OneExecutionIsMeasured) {
   EXPECT_GT(execution.wall_time_s, 0);
   EXPECT_GT(execution.peak_rss_bytes, std::uint64_t{1} << 20);
   EXPECT_EQ(execution.iterations, 1u);
-  EXPECT_FALSE(judge(instance.set.points, execution.solution.triangulation).violation);
+  EXPECT_FALSE(find_violation(instance.set.points, execution.solution.triangulation));
 }
 
 TEST(Execution, ShortRunsAreRepeatedAndLongOnesAreNot) {
@@ -86,18 +86,6 @@ TEST(Execution, PhasesAreThoseOfOneExecution) {
     return testing::solve_well(points, context);
   });
   EXPECT_EQ(execute_repeatedly(request_for(phased), instance.set.points, 0.01).phases.size(), 1u);
-}
-
-TEST(Execution, JudgesByCheckerAndCertifiedSums) {
-  const Instance instance = make_instance({{0, 0}, {4, 0}, {0, 3}, {4, 0}}, "test");
-  EXPECT_EQ(instance.set.duplicates(), 1u);
-  EXPECT_EQ(instance.hull_size, 3u);
-  const Judgement good = judge(instance.set.points, {3, {{0, 1, 2}}});
-  EXPECT_FALSE(good.violation);
-  EXPECT_TRUE(good.weight.contains(12));
-  EXPECT_TRUE(good.perimeter_sum.contains(12));
-  EXPECT_EQ(good.edges, 3u);
-  EXPECT_TRUE(judge(instance.set.points, {3, {{0, 2, 1}}}).violation);
 }
 
 TEST(PeakMemory, IsThatOfTheStretch) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -13,7 +14,7 @@ namespace mwt {
 namespace {
 
 std::string test_data(const std::string& file) {
-  return std::string(MWT_SOURCE_DIR) + "/harness/studies/tsplib/" + file;
+  return (std::filesystem::path(MWT_SOURCE_DIR) / "harness/studies/tsplib" / file).string();
 }
 
 TEST(TsplibOptima, AreFoundByExact) {

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "harness/io/text/text.h"
-#include "harness/rating/known_optima.h"
+#include "harness/records/known_optima.h"
 #include "harness/records/results_folder.h"
 #include "harness/study/plan.h"
 

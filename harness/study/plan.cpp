@@ -217,11 +217,6 @@ std::string PlannedInstance::label() const {
   return name_with_parameters(generator, parameters) + " n=" + std::to_string(n) + " seed=" + std::to_string(seed);
 }
 
-Index max_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study) {
-  const Index own = algorithm.max_n == 0 ? kNoIndex : algorithm.max_n;
-  return std::min(own, of_study.value_or(kNoIndex));
-}
-
 std::set<std::string> run_ids_of(const Plan& plan) {
   std::set<std::string> ids;
   for (const PlannedRun& run : plan.runs) ids.insert(run.run_id);

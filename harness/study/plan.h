@@ -69,7 +69,4 @@ struct Shard {
 /// shards; each shard gets its share of every size.
 [[nodiscard]] Plan part_of(const Plan& plan, const Shard& shard);
 
-/// The smaller of an entry's and a study's limit; 0 in an entry means none.
-[[nodiscard]] Index max_n_for(const AlgorithmInfo& algorithm, const std::optional<Index>& of_study);
-
 }  // namespace mwt

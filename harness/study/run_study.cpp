@@ -7,119 +7,103 @@
 
 #include "base/error.h"
 #include "harness/rating/optimum_search.h"
+#include "harness/records/environment.h"
 #include "harness/run/interrupt.h"
-#include "harness/run/machine/environment.h"
 #include "harness/run/machine/machine_watch.h"
-#include "harness/study/study_session.h"
+#include "harness/study/execute_plan.h"
+#include "harness/study/study_results.h"
 
 namespace mwt {
 
 namespace {
 
-void require_same_build(const StudySession& session) {
-  const std::set<std::string> recorded = session.folder.run_ids();
-  const auto& planned = session.plan.runs;
+void require_same_build(const RunOptions& options, const ResultsFolder& folder, const Plan& plan,
+                        const EnvironmentRecord& environment) {
+  const std::set<std::string> recorded = folder.run_ids();
   const bool is_complete =
-      std::all_of(planned.begin(), planned.end(), [&](const PlannedRun& run) { return recorded.contains(run.run_id); });
-  if (is_complete || session.options.accepts_other_build) return;
-  for (const RunRecord& run : session.folder.runs()) {
-    if (run.binary_sha256 == session.environment.binary_sha256) continue;
-    throw InputError(session.options.folder + ": its runs were recorded by another build of mwt (commit " +
-                     run.git_commit + "; this one: " + session.environment.git_commit +
+      std::ranges::all_of(plan.runs, [&](const PlannedRun& run) { return recorded.contains(run.run_id); });
+  if (is_complete || options.accepts_other_build) return;
+  for (const RunRecord& run : folder.runs()) {
+    if (run.binary_sha256 == environment.binary_sha256) continue;
+    throw InputError(options.folder + ": its runs were recorded by another build of mwt (commit " + run.git_commit +
+                     "; this one: " + environment.git_commit +
                      "); choose a new folder with --out, or mix the two with --accept-other-build");
   }
 }
 
 // Under one name there must be one instance, whenever its runs were recorded.
 template <class Record>
-void require_unchanged_files(const StudySession& session, const std::vector<Record>& records) {
+void require_unchanged_files(const std::string& folder, const Plan& plan, const std::vector<Record>& records) {
   std::map<std::string, std::string> ids;  // by the parameter that names the file
-  for (const PlannedInstance& planned : session.plan.instances) {
+  for (const PlannedInstance& planned : plan.instances) {
     if (planned.generator == kFileGenerator) ids[planned.parameters] = planned.file_instance_id;
   }
   for (const Record& record : records) {
     const auto id = record.generator == kFileGenerator ? ids.find(record.generator_params) : ids.end();
     if (id == ids.end() || record.instance_id.empty() || id->second == record.instance_id) continue;
     throw InputError(parse_canonical(record.generator_params)["file"] +
-                     ": has changed since its runs were recorded in " + session.options.folder +
+                     ": has changed since its runs were recorded in " + folder +
                      "; restore it, or choose a new folder with --out");
   }
 }
 
-// Other reasons why recorded runs are not this study's any more.
-void require_planned(const StudySession& session) {
-  if (session.options.accepts_other_build) return;
-  for (const RunRecord& run : session.folder.runs()) {
-    if (session.planned_ids.contains(run.run_id)) continue;
-    throw InputError(session.options.folder + ": its run of " + name_with_parameters(run.algorithm, run.params) +
-                     " on " + label_of_instance(run) +
+// Other reasons why recorded runs are not this study's any more. `whole`: with the other shards.
+void require_planned(const RunOptions& options, const ResultsFolder& folder, const Plan& whole) {
+  if (options.accepts_other_build) return;
+  const std::set<std::string> planned = run_ids_of(whole);
+  for (const RunRecord& run : folder.runs()) {
+    if (planned.contains(run.run_id)) continue;
+    throw InputError(options.folder + ": its run of " + name_with_parameters(run.algorithm, run.params) + " on " +
+                     label_of_instance(run) +
                      " is none of this study any more: a point file, a start file or this mwt has changed or is gone;"
                      " restore it, choose a new folder with --out, or keep such runs with --accept-other-build");
   }
 }
 
-void announce_plan(StudySession& session) {
-  const std::string shard = session.options.shard.text();
-  session.out << "study " << session.study.name << (shard.empty() ? "" : ", shard " + shard) << ": "
-              << session.plan.instances.size() << " instances, " << session.plan.runs.size() << " runs, results in "
-              << session.options.folder << '\n';
-  for (const std::string& note : session.plan.notes) session.out << "  " << note << '\n';
-  for (const std::string& warning : session.folder.warnings()) session.out << "  warning: " << warning << '\n';
-  for (const std::string& warning : timing_warnings(session.environment))
-    session.out << "  warning: " << warning << '\n';
-  const std::size_t recorded = session.folder.runs().size();
-  if (recorded > 0) session.out << "  recorded already: " << recorded << " runs\n";
-}
-
-// What earlier invocations certified is known to this one.
-template <class Record>
-void adopt_optima(StudySession& session, const std::vector<Record>& records) {
-  std::map<std::string, std::pair<std::string, std::vector<Disproof>>> disproofs;  // by instance, with its label
-  for (const Record& record : records) {
-    for (const Disproof& disproof : session.known.add(record)) {
-      auto& [label, of_instance] = disproofs[record.instance_id];
-      label = label_of_instance(record);
-      of_instance.push_back(disproof);
-    }
-  }
-  // Settling changes the records: only now.
-  for (const auto& [instance_id, entry] : disproofs) session.settle(instance_id, entry.first, entry.second);
-}
-
-// An instance whose optimum was disproved has none until one is found that stands.
-void seek_disproved_optima_again(StudySession& session) {
-  for (const InstanceRecord& instance : session.folder.instances()) {
-    if (is_disproved(instance) && !instance.optimum_lower) session.to_seek_again.insert(instance.instance_id);
-  }
-}
-
-void announce_end(const StudySession& session, const MachineWatch& watch) {
-  for (const std::string& warning : watch.warnings()) session.out << "  warning: " << warning << '\n';
-  if (session.outcome.interrupted) session.out << "interrupted; the same command with --resume runs the rest\n";
+void announce_plan(const Study& study, const RunOptions& options, const Plan& plan, const ResultsFolder& folder,
+                   const EnvironmentRecord& environment, std::ostream& out) {
+  const std::string shard = options.shard.text();
+  out << "study " << study.name << (shard.empty() ? "" : ", shard " + shard) << ": " << plan.instances.size()
+      << " instances, " << plan.runs.size() << " runs, results in " << options.folder << '\n';
+  for (const std::string& note : plan.notes) out << "  " << note << '\n';
+  for (const std::string& warning : folder.warnings()) out << "  warning: " << warning << '\n';
+  for (const std::string& warning : timing_warnings(environment)) out << "  warning: " << warning << '\n';
+  const std::size_t recorded = folder.runs().size();
+  if (recorded > 0) out << "  recorded already: " << recorded << " runs\n";
 }
 
 }  // namespace
 
 StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
   static_cast<void>(optimum_sources_for(catalogue, study.optimum_sources, kNoIndex));  // before the folder is made
-  StudySession session(study, catalogue, options, out);
-  require_unchanged_files(session, session.folder.instances());
-  require_unchanged_files(session, session.folder.runs());
-  require_planned(session);
-  require_same_build(session);
-  session.folder.append(session.environment);
-  announce_plan(session);
-  adopt_optima(session, session.folder.instances());
-  adopt_optima(session, session.folder.runs());
-  seek_disproved_optima_again(session);
+  const Plan whole = make_plan(study, catalogue);
+  const Plan plan = part_of(whole, options.shard);
+  ResultsFolder folder(options.folder, study.name, study.file_content, options.resume);
+  const EnvironmentRecord environment = describe_environment(study.name, options.jobs, options.shard.text());
+  require_unchanged_files(options.folder, plan, folder.instances());
+  require_unchanged_files(options.folder, plan, folder.runs());
+  require_planned(options, folder, whole);
+  require_same_build(options, folder, plan, environment);
+  folder.append(environment);
+  announce_plan(study, options, plan, folder, environment, out);
+
   const InterruptWatch interrupt_watch;
   const MachineWatch machine_watch;
-  seek_optima(session);
-  execute_runs(session);
-  if (!session.to_seek_again.empty() && !InterruptWatch::requested()) seek_optima(session);
-  session.outcome.interrupted = InterruptWatch::requested();
-  announce_end(session, machine_watch);
-  return session.outcome;
+  Progress progress(out, options.is_terminal, "steps", missing_steps(plan, folder));
+  const auto announce = [&progress](const std::string& line) { progress.announce(line); };
+  std::optional<OptimumCache> cache;
+  if (options.cache_folder) {
+    cache.emplace(*options.cache_folder, [&](const std::string& warning) { announce("warning: " + warning); });
+  }
+  OptimumCache* const cache_if_any = cache ? &*cache : nullptr;
+  StudyResults results(folder, cache_if_any, announce);
+  execute_plan(plan, catalogue, {study, environment}, folder, options.jobs, cache_if_any, progress, results);
+  progress.finish();
+  for (const std::string& warning : machine_watch.warnings()) out << "  warning: " << warning << '\n';
+  StudyOutcome outcome = results.outcome();
+  outcome.interrupted = InterruptWatch::requested();
+  if (outcome.interrupted) out << "interrupted; the same command with --resume runs the rest\n";
+  return outcome;
 }
 
 }  // namespace mwt

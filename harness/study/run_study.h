@@ -8,6 +8,7 @@
 #include "harness/run/catalogue.h"
 #include "harness/study/plan.h"
 #include "harness/study/study.h"
+#include "harness/study/study_results.h"
 
 namespace mwt {
 
@@ -21,15 +22,8 @@ struct RunOptions {
   bool accepts_other_build = false;  ///< whether records of another build of this program may be continued
 };
 
-struct StudyOutcome {
-  std::size_t runs = 0;            ///< recorded by this invocation
-  std::size_t failures = 0;        ///< of these
-  std::size_t contradictions = 0;  ///< claims about optima that triangulations disproved: a wrong solver
-  bool interrupted = false;        ///< by Ctrl-C or SIGTERM
-};
-
-/// First the optimum of every instance, from the cache if it has it, then every run that is not recorded yet, each in a
-/// process of its own; every result is on the disk before the next one begins. Progress and notes go to `out`.
+/// Instance by instance: first its optimum, from the cache if it has it, then every run that is not recorded yet, each
+/// in a process of its own; every result is on the disk before the next one begins. Progress and notes go to `out`.
 ///
 /// Every row's optimum is all that is certified about its instance by then: what the optimum sources found, what exact
 /// runs found since, and, as an upper end, the run's own weight. A checked triangulation that is lighter than a

@@ -474,7 +474,7 @@ TEST(RunStudy, RefusesAFolderInUseOrOfAnotherStudy) {
   EXPECT_EQ(read_text(folder.path("file")), "x");
   study.file_content = "# s\n";
   {
-    const ResultsFolder holder(folder.path("out"), study, true);
+    const ResultsFolder holder(folder.path("out"), study.name, study.file_content, true);
     EXPECT_THROW(run(study, folder.path("out"), true), InputError);
   }
   EXPECT_EQ(read_text(folder.path("out/runs.csv")), before);

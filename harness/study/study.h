@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "geometry/point.h"
+#include "harness/rating/isolated_run.h"
+#include "harness/rating/optimum_search.h"
 #include "harness/study/instance_files.h"
 
 namespace mwt {
@@ -28,20 +30,6 @@ struct AlgorithmChoice {
   std::optional<Index> max_n;  ///< at most the registry's
   std::string place;
   std::vector<std::string> families{};  ///< run on these alone; empty: on all of the study
-};
-
-/// An exact algorithm that may compute the optimum of an instance.
-struct OptimumSource {
-  std::string algorithm;
-  std::optional<Index> max_n;  ///< at most the registry's
-  std::string place;
-};
-
-/// Limits of one run in its own process.
-struct RunLimits {
-  double time_s = 60;                                   ///< the algorithm's soft deadline
-  double grace_s = 2;                                   ///< killed at time_s + grace_s
-  std::uint64_t memory_bytes = std::uint64_t{2} << 30;  ///< data beyond what the worker begins with
 };
 
 struct Study {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/records/environment.h"
 #include "harness/records/records.h"
-#include "harness/run/machine/environment.h"
 
 namespace mwt {
 

@@ -1,92 +1,84 @@
-"""The skeleton of a self-contained page: style and scripts inline, no network, light and dark, tables that sort and filter.
+"""Self-contained pages: style and scripts inline, no network, light and dark, tables that sort and filter.
 
-A page is made of sections (html texts); data_table() makes a table, figure() a figure. page.css and page.js hold the rest.
+plots/templates/ has the markup (Jinja2, which escapes every text that is not marked as markup): page.html is the skeleton, a page's
+own template extends it, and its sections are templates in a folder of that name. page.css and page.js hold the rest.
 """
-import html
+import dataclasses
 import json
 import math
 import pathlib
 
+import jinja2
+from markupsafe import Markup
+
 HERE = pathlib.Path(__file__).parent
-
-SKELETON = """<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:">
-<link rel="icon" href="data:,">
-<title>{title}</title>
-<style>
-{style}
-</style>
-</head>
-<body>
-<a class="skip" href="#main">Skip to the content</a>
-<header>
-<h1>{title}</h1>
-{lead}
-</header>
-<nav aria-label="sections"><ul>
-{links}
-<li><button type="button" id="theme">light / dark</button></li>
-</ul></nav>
-<main id="main">
-<noscript><p>The figures are below; the tables need scripts, which this page brings along.</p></noscript>
-{sections}
-</main>
-<footer class="soft">
-{footer}
-</footer>
-{data}
-<script>
-{script}
-</script>
-</body>
-</html>
-"""
+TEMPLATES = HERE.parent / "templates"
 
 
-class Page:
-    """Collects sections and the tables' data; text() is the whole file."""
+@dataclasses.dataclass(frozen=True)
+class Section:
+    """A part of a page with an anchor of its own."""
 
-    def __init__(self, title, lead, footer):
-        self._title, self._lead, self._footer = title, lead, footer
-        self._sections = []
-        self._data = []
+    name: str
+    title: str
+    template: str
 
-    def add_section(self, name, title, body):
-        """`name` is its anchor."""
-        self._sections.append((name, title, body))
 
-    def data_table(self, name, label, columns, rows, **more):
-        """HTML of a table. `columns` are dicts as page.js describes them; texts of a column with few values are kept once."""
-        columns = [dict(column) for column in columns]
-        rows = [list(row) for row in rows]
-        for position, column in enumerate(columns):
-            if not column.get("number"):
-                share_texts(column, rows, position)
-        content = json.dumps(
-            {"columns": columns, "rows": rows, **more}, ensure_ascii=False, separators=(",", ":"), default=plain
-        )
-        content = content.replace("</", "<\\/")
-        self._data.append(f'<script type="application/json" id="{name}">{content}</script>')
-        return f'<div class="data-table" data-source="{name}" data-label="{escape(label)}"></div>'
+@dataclasses.dataclass(frozen=True)
+class Figure:
+    """A figure drawn twice, as SVG for wide and for narrow screens."""
 
-    def text(self):
-        return SKELETON.format(
-            title=escape(self._title),
-            lead=self._lead,
-            footer=self._footer,
-            style=(HERE / "page.css").read_text(encoding="utf-8"),
-            script=(HERE / "page.js").read_text(encoding="utf-8"),
-            links="\n".join(f'<li><a href="#{name}">{escape(title)}</a></li>' for name, title, _ in self._sections),
-            sections="\n".join(
-                f'<section id="{name}"><h2>{escape(title)}</h2>\n{body}\n</section>'
-                for name, title, body in self._sections
-            ),
-            data="\n".join(self._data),
-        )
+    name: str
+    title: str
+    caption: str
+    wide: Markup
+    narrow: Markup
+    is_folded: bool = False
+
+
+@dataclasses.dataclass(frozen=True)
+class DataTable:
+    """A table for page.js, which describes `json`."""
+
+    name: str
+    label: str
+    json: Markup
+
+
+def render(template, values, filters=None):
+    """The text of the page that `template` makes of `values`."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters.update(counted=counted, grouped=grouped, **(filters or {}))
+    environment.globals["file_text"] = file_text
+    return environment.get_template(template).render(values)
+
+
+def file_text(name):
+    """A file beside this one, as it is."""
+    return Markup((HERE / name).read_text(encoding="utf-8"))
+
+
+def data_table(name, label, columns, rows, **more):
+    """`columns` are dicts as page.js describes them; texts of a column with few values are kept once."""
+    columns = [dict(column) for column in columns]
+    rows = [list(row) for row in rows]
+    for position, column in enumerate(columns):
+        if not column.get("number"):
+            share_texts(column, rows, position)
+    return DataTable(name, label, json_script({"columns": columns, "rows": rows, **more}))
+
+
+def json_script(content):
+    """JSON for a script element."""
+    text = json.dumps(content, ensure_ascii=False, separators=(",", ":"), default=plain)
+    return Markup(text.replace("</", "<\\/"))
 
 
 def share_texts(column, rows, position):
@@ -112,21 +104,9 @@ def number(value, digits=6):
     return float(f"{value:.{digits}g}") if isinstance(value, float) else value
 
 
+def grouped(count):
+    return f"{count:,}"
+
+
 def counted(count, what):
     return f"{count:,} {what}{'' if count == 1 else 's'}"
-
-
-def escape(text):
-    return html.escape(str(text), quote=True)
-
-
-def figure(name, wide, narrow, title, caption, is_folded=False):
-    """A figure drawn twice, for wide and for narrow screens: page.css shows one. Each drawing is an SVG and its natural width
-    in CSS pixels; what is still narrower scales it. A folded one shows its title only, until the reader opens it."""
-    pictures = "".join(
-        f'<div class="picture {kind}">{svg.replace("<svg ", f"""<svg width="{width:.0f}" """, 1)}</div>'
-        for kind, (svg, width) in (("wide", wide), ("narrow", narrow))
-    )
-    heading = f'<h3 id="figure-{name}">{escape(title)}</h3>'
-    body = f"<figure>{pictures}<figcaption>{escape(caption)}</figcaption></figure>"
-    return f"<details><summary>{heading}</summary>\n{body}</details>" if is_folded else f"{heading}\n{body}"

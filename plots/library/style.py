@@ -9,6 +9,7 @@ import io
 import re
 
 import matplotlib
+from markupsafe import Markup, escape
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -204,23 +205,24 @@ def rounded(attribute):
     return re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), attribute[0])
 
 
-def inline_svg(svg, prefix, title):
-    """An SVG for a page: no prologue, ids of its own, colours that follow the page's mode, a name for screen readers; small."""
+def inline_svg(svg, prefix, title, width):
+    """An SVG for a page, `width` CSS pixels wide: no prologue, ids of its own, colours that follow the page's mode, a name for
+    screen readers; small."""
     svg = svg[svg.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.S)
     svg = re.sub(r'\b(?:d|x|y|transform)="[^"]*"', rounded, svg)
     svg = re.sub(r'\bid="([^"]*)"', lambda match: f'id="{prefix}-{match[1]}"', svg)
     svg = re.sub(r'(href="#|url\(#)([^")]*)', lambda match: f"{match[1]}{prefix}-{match[2]}", svg)
-    width, height = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', svg).groups()
+    box = re.search(r'viewBox="[^"]*"', svg)[0]
     svg = re.sub(
         r"<svg[^>]*>",
         (
-            '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
-            f'viewBox="0 0 {width} {height}" role="img" aria-label="{title}">'
+            f'<svg width="{width:.0f}" xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" '
+            f'{box} role="img" aria-label="{escape(title)}">'
         ),
         svg,
         count=1,
     )
     for colour, variable in ((INK, "--ink"), (FAINT, "--faint"), (PAPER, "--paper"), (OPTIMUM, "--optimum")):
         svg = svg.replace(colour, f"var({variable})")
-    return re.sub(r"\n\s*", "\n", svg)
+    return Markup(re.sub(r"\n\s*", "\n", svg))

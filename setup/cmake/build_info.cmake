@@ -1,5 +1,5 @@
-# Compiles harness/run/machine/build_info.h's answers into the harness: the commit is asked for at every build, but the file is
-# rewritten (and compiled again) only when the answer has changed.
+# Compiles the values of harness/run/machine/build_info.h into the harness. Every build queries the commit, but rewrites the file
+# (and compiles it again) only when a value has changed.
 if(CMAKE_SCRIPT_MODE_FILE)
   find_program(GIT git)
   set(GIT_COMMIT "unknown")
@@ -19,8 +19,9 @@ set(build_info ${PROJECT_BINARY_DIR}/build_info.cpp)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 set(all_flags "${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} -ffp-contract=off")
 string(REGEX REPLACE " +" " " all_flags "${all_flags}")
-add_custom_target(mwt_build_info BYPRODUCTS ${build_info} COMMENT "Asking for the commit"
+add_custom_target(mwt_build_info BYPRODUCTS ${build_info} COMMENT "Querying the commit"
   COMMAND ${CMAKE_COMMAND} -DSOURCE_FOLDER=${PROJECT_SOURCE_DIR} -DOUTPUT=${build_info}
+          -DPROGRAM_VERSION=${PROJECT_VERSION}
           "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" "-DCOMPILER_FLAGS=${all_flags}"
           -P ${CMAKE_CURRENT_LIST_FILE} VERBATIM)
 target_sources(mwt_harness PRIVATE ${build_info})

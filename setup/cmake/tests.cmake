@@ -23,11 +23,16 @@ function(mwt_add_tests layer)
                        TEST_LIST ${layer}_slow_tests PROPERTIES LABELS slow TIMEOUT 3000)
 endfunction()
 
+# Point sets that the tests of two layers use.
+add_library(mwt_shapes_for_tests STATIC geometry/mesh/testing/shapes_for_tests.cpp)
+target_link_libraries(mwt_shapes_for_tests PUBLIC mwt_geometry)
+
 # CGAL: only as an opinion to compare hulls with.
-mwt_add_tests(geometry mwt_geometry CGAL::CGAL)
+mwt_add_tests(base mwt_base)
+mwt_add_tests(geometry mwt_geometry mwt_shapes_for_tests CGAL::CGAL)
 mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not include each other; only their tests do.
-mwt_add_tests(algorithms mwt_algorithms mwt_generators)
+mwt_add_tests(algorithms mwt_algorithms mwt_generators mwt_shapes_for_tests)
 # Boost and JSON: to look at results with other eyes than the harness's own.
 mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json)
 # The harness's tests also run the programs as their users do.
@@ -36,8 +41,8 @@ if(TARGET harness_test)
                              MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
   add_dependencies(harness_test mwt mwt_benchmark)
 endif()
-# What figures compute; the report's page, that of another study and the nights' dashboard, looked at in a headless Chromium.
-# Optimised builds only, for sanitizers have nothing to find in them.
+# What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
+# Optimised builds only: sanitizers find nothing in Python.
 if(NOT MWT_SANITIZE)
   add_test(NAME plots.figures COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/figures_test.py)
   add_test(NAME plots.page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/page_test.py $<TARGET_FILE:mwt>)

@@ -27,7 +27,7 @@ std::size_t sum_over_instances(std::uint64_t seeds, Index smaller_n, Check check
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Index n = 3 + static_cast<Index>(7 * seed) % smaller_n;
     const std::string size = " n=" + std::to_string(n);
-    for (const Shape& shape : shapes()) sum += check(make_shape(shape, n, seed), shape.name + size);
+    for (const ShapeFamily& shape : shapes()) sum += check(make_shape(shape, n, seed), shape.name + size);
     for (const GeneratorInfo& family : generators()) {
       try {
         const PointSet set = make_point_set(generate(family.name, n, seed, {}), family.name);

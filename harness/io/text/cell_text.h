@@ -10,7 +10,8 @@ namespace mwt {
 /// instead of the comma".
 [[nodiscard]] std::string not_a_number(std::string_view cell);
 
-/// Whether the cell stands for a value that is missing: NA, N/A, null, none, missing, #N/A, ..., in either case.
+/// Whether the cell stands for a value that is missing: `NA`, `N/A`, `null`, `none`, `missing`, `#N/A`, ..., in either
+/// case.
 [[nodiscard]] bool is_missing_value(std::string_view cell);
 
 /// Whether the cell can be the name of a column: it begins with a letter of any alphabet or an underscore, and is

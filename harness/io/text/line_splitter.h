@@ -19,7 +19,7 @@ namespace mwt {
 /// - A first line "sep=;", as spreadsheets write it, names the separator of all lines.
 ///
 /// Throws InputError "source:line: what; remedy": a line with commas and semicolons, a line with commas where the first
-/// row has another separator, a quote that is not closed, an error value of a spreadsheet (#N/A) that looks like a
+/// row has another separator, a quote that is not closed, an error value of a spreadsheet (`#N/A`) that looks like a
 /// comment.
 class LineSplitter {
  public:
@@ -27,7 +27,8 @@ class LineSplitter {
   /// holds only a comment. The cells live as long as the text.
   [[nodiscard]] bool split(const TextLines& lines, std::vector<std::string_view>& cells);
 
-  /// What the last line was split at: ',', ';', '\t', ' ' for runs of white space, or what "sep=" says.
+  /// What the last line was split at: a comma, a semicolon, a tab, a blank for runs of white space, or what "sep="
+  /// says.
   [[nodiscard]] char separator() const { return separator_; }
 
  private:

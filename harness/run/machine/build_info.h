@@ -1,9 +1,12 @@
-// What this program was built from; filled in by the build (cmake/build_info.cmake).
+// What this program was built from; the build fills it in (setup/cmake/build_info.cmake).
 #pragma once
 
 #include <string>
 
 namespace mwt {
+
+/// "1.0.0": the version in CMakeLists.txt.
+[[nodiscard]] std::string version();
 
 /// The commit of the sources at the last build, "-dirty" appended if they differed from it; "unknown" without git.
 [[nodiscard]] std::string git_commit();

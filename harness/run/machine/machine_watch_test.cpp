@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "harness/run/machine/environment.h"
+#include "harness/records/environment.h"
 
 namespace mwt {
 namespace {

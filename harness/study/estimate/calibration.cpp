@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "harness/run/isolated_run.h"
+#include "harness/rating/isolated_run.h"
 #include "harness/study/estimate/estimate.h"
 
 namespace mwt {
@@ -104,14 +104,13 @@ class Calibration {
     RunLimits limits = study_.limits;
     limits.time_s = kLimit;
     limits.grace_s = kLimit;
-    RunRecord result;
+    RatedRun result;
     ProcessPool pool(1);
-    start_isolated_run(pool, request, instance, {}, limits, {1e-9, false},
-                       [&](RunRecord run) { result = std::move(run); });
+    start_isolated_run(pool, request, instance, limits, {1e-9, false}, [&](RatedRun run) { result = std::move(run); });
     while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(100));
     const bool at_limit = result.status == RunStatus::timeout || result.stopped_early.value_or(false);
     if (result.status == RunStatus::ok || at_limit) {
-      model_.add(item.cell, {undisturbed_time_s(result).value_or(2 * kLimit), at_limit, false});
+      model_.add(item.cell, {undisturbed_time_s(result, request.threads).value_or(2 * kLimit), at_limit, false});
     } else {
       model_.add(item.cell, {0, false, false});  // it will fail or be refused in the study as well
     }

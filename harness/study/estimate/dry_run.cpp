@@ -10,7 +10,7 @@
 #include "harness/io/text/aligned_table.h"
 #include "harness/io/text/text.h"
 #include "harness/rating/optimum_search.h"
-#include "harness/run/machine/environment.h"
+#include "harness/records/environment.h"
 #include "harness/study/estimate/estimate.h"
 #include "harness/study/estimate/past_times.h"
 

@@ -46,7 +46,7 @@ std::set<std::string> environments_here(const StudyRecords& records, const Envir
 
 std::optional<TimeObservation> observed(const RunRecord& run) {
   if (run.status == RunStatus::timeout) return TimeObservation{run.time_limit_s, true, true};
-  const std::optional<double> seconds = undisturbed_time_s(run);
+  const std::optional<double> seconds = undisturbed_time_s(run, run.threads);
   if (!seconds) return std::nullopt;
   const bool near_limit = *run.wall_time_s > kNearLimit * run.time_limit_s;
   return TimeObservation{*seconds, near_limit && run.stopped_early.value_or(false), true};

@@ -1,4 +1,5 @@
 #include "harness/study/estimate/past_times.h"
+#include "harness/rating/optimum_search.h"
 
 #include <gtest/gtest.h>
 

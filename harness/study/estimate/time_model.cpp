@@ -96,10 +96,10 @@ std::optional<TimePrediction> combined(const std::vector<TimePrediction>& predic
 
 }  // namespace
 
-std::optional<double> undisturbed_time_s(const RunRecord& run) {
+std::optional<double> undisturbed_time_s(const RatedRun& run, int threads) {
   constexpr double kLongEnough = 0.005;
   if (!run.wall_time_s || !std::isfinite(*run.wall_time_s)) return std::nullopt;
-  const bool is_disturbed = run.threads == 1 && run.cpu_time_s && *run.wall_time_s > kLongEnough;
+  const bool is_disturbed = threads == 1 && run.cpu_time_s && *run.wall_time_s > kLongEnough;
   return is_disturbed ? std::min(*run.wall_time_s, std::max(*run.cpu_time_s, kLongEnough)) : *run.wall_time_s;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/point.h"
-#include "harness/records/records.h"
+#include "harness/rating/rated_run.h"
 
 namespace mwt {
 
@@ -46,7 +46,7 @@ struct TimeObservation {
 
 /// What a run would have taken on an idle machine: CPU time, if it had one thread and ran for long enough to share the
 /// CPU with other programs and for the ticks of CPU clocks not to matter. Nothing if it has no time.
-[[nodiscard]] std::optional<double> undisturbed_time_s(const RunRecord& run);
+[[nodiscard]] std::optional<double> undisturbed_time_s(const RatedRun& run, int threads);
 
 /// Observed times, and what follows from them. Between two sizes and beyond the largest, time grows like a power of n
 /// (beyond: at least linearly); a family without observations is like the median of the others.

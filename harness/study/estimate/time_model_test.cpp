@@ -17,19 +17,17 @@ TimeModel quadratic_model() {
 }
 
 TEST(TimeModel, ABusyMachineDoesNotCount) {
-  RunRecord run;
-  EXPECT_FALSE(undisturbed_time_s(run));
+  RatedRun run;
+  EXPECT_FALSE(undisturbed_time_s(run, 1));
   run.wall_time_s = 8;
   run.cpu_time_s = 2;
-  EXPECT_EQ(undisturbed_time_s(run), 2);
-  run.threads = 4;
-  EXPECT_EQ(undisturbed_time_s(run), 8) << "the CPU time of several threads";
-  run.threads = 1;
+  EXPECT_EQ(undisturbed_time_s(run, 1), 2);
+  EXPECT_EQ(undisturbed_time_s(run, 4), 8) << "the CPU time of several threads";
   run.wall_time_s = 0.001;
   run.cpu_time_s = 0;
-  EXPECT_EQ(undisturbed_time_s(run), 0.001) << "CPU clocks may tick too slowly";
+  EXPECT_EQ(undisturbed_time_s(run, 1), 0.001) << "CPU clocks may tick too slowly";
   run.wall_time_s = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(undisturbed_time_s(run));
+  EXPECT_FALSE(undisturbed_time_s(run, 1));
 }
 
 TEST(TimeModel, NothingKnownMeansTheLimit) {

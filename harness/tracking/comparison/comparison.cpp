@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "harness/io/text/text.h"
+#include "harness/records/machine_state.h"
 #include "harness/statistics/quantile.h"
 #include "harness/statistics/shift.h"
-#include "harness/tracking/machine_state.h"
 
 namespace mwt {
 

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "generators/random.h"
-#include "harness/cli/command_line.h"
+#include "harness/io/exit_code.h"
 #include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
 #include "harness/io/progress.h"
@@ -123,7 +123,7 @@ std::string program_of(const std::string& build) {
 class Side {
  public:
   Side(const std::string& build, const std::string& folder, const Study& study)
-      : program_(program_of(build)), results_(folder, study, false), study_name_(study.name) {}
+      : program_(program_of(build)), results_(folder, study.name, study.file_content, false), study_name_(study.name) {}
 
   void run(const TrackedCell& cell, const std::string& study_file, const fs::path& scratch, int repetition) {
     const fs::path records = scratch / "records";

@@ -89,20 +89,20 @@ TEST_F(HistoryFile, AnotherConfigurationIsAnotherNight) {
 
 // As version 1 of the program left it: two nightly runs of two commits.
 constexpr const char* kVersion1 =
-    "CREATE TABLE nightly run (id INTEGER PRIMARY KEY, git_commit TEXT NOT NULL, environment TEXT NOT NULL, "
+    "CREATE TABLE night (id INTEGER PRIMARY KEY, git_commit TEXT NOT NULL, environment TEXT NOT NULL, "
     "study TEXT NOT NULL, machine TEXT NOT NULL, recorded_at TEXT NOT NULL, UNIQUE (git_commit, environment, study));"
     "CREATE TABLE cell (id INTEGER PRIMARY KEY, algorithm TEXT NOT NULL, params TEXT NOT NULL, generator TEXT NOT "
     "NULL, "
     "generator_params TEXT NOT NULL, n INTEGER NOT NULL, seed INTEGER NOT NULL, threads INTEGER NOT NULL, "
     "UNIQUE (algorithm, params, generator, generator_params, n, seed, threads));"
-    "CREATE TABLE value (nightly run INTEGER NOT NULL REFERENCES nightly run (id), cell INTEGER NOT NULL REFERENCES "
+    "CREATE TABLE value (night INTEGER NOT NULL REFERENCES night (id), cell INTEGER NOT NULL REFERENCES "
     "cell (id), "
-    "measure TEXT NOT NULL, value REAL NOT NULL, runs INTEGER NOT NULL, PRIMARY KEY (nightly run, cell, measure)) "
+    "measure TEXT NOT NULL, value REAL NOT NULL, runs INTEGER NOT NULL, PRIMARY KEY (night, cell, measure)) "
     "WITHOUT "
     "ROWID;"
     "INSERT INTO cell VALUES (1, 'greedy', '', 'uniform', '', 100, 1, 1);"
-    "INSERT INTO nightly run VALUES (1, 'a', 'env', 'nightly', 'Abacus', '2026-01-01');"
-    "INSERT INTO nightly run VALUES (2, 'b', 'env', 'nightly', 'Abacus', '2026-01-02');"
+    "INSERT INTO night VALUES (1, 'a', 'env', 'nightly', 'Abacus', '2026-01-01');"
+    "INSERT INTO night VALUES (2, 'b', 'env', 'nightly', 'Abacus', '2026-01-02');"
     "INSERT INTO value VALUES (1, 1, 'wall_time_s', 0.5, 3); INSERT INTO value VALUES (2, 1, 'wall_time_s', 0.25, 3);"
     "PRAGMA user_version = 1;";
 

@@ -1,9 +1,10 @@
-#include "harness/rating/known_optima.h"
+#include "harness/records/known_optima.h"
 
 #include <cmath>
 #include <iterator>
 
 #include "harness/io/text/text.h"
+#include "harness/rating/optimum_search.h"
 #include "harness/rating/quality.h"
 
 namespace mwt {
@@ -20,15 +21,6 @@ std::string solver_of(const InstanceRecord& instance) {
   return is_cached ? cached_claimant(instance.optimum_source) : instance.optimum_source;
 }
 
-void clear_rating(RunRecord& record) {
-  record.optimum_lower.reset();
-  record.optimum_upper.reset();
-  record.optimality.clear();
-  record.alpha_lower.reset();
-  record.alpha_upper.reset();
-  record.optimal.clear();
-}
-
 void append(std::vector<Disproof>& all, std::vector<Disproof> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
@@ -42,10 +34,8 @@ std::vector<Disproof> KnownOptima::add(const InstanceRecord& record) {
 }
 
 std::vector<Disproof> KnownOptima::add(const RunRecord& record) {
-  if (record.status != RunStatus::ok || !record.weight_upper) return {};
-  OptimumClaims& claims = instances_[record.instance_id];
-  if (!is_claim(record.certified_lower)) return claims.add_weight({solver_of(record), *record.weight_upper});
-  return claims.add_claim({record.run_id, solver_of(record), {*record.certified_lower, *record.weight_upper}});
+  if (record.status != RunStatus::ok) return {};
+  return add_run(instances_[record.instance_id], record.run_id, solver_of(record), record);
 }
 
 std::optional<Interval> KnownOptima::of(const std::string& instance_id) const {
@@ -58,33 +48,9 @@ std::optional<KnownWeight> KnownOptima::lightest_of(const std::string& instance_
   return entry == instances_.end() ? std::nullopt : entry->second.lightest();
 }
 
-void KnownOptima::rate(RunRecord& record) const {
-  if (record.status != RunStatus::ok) return;
-  clear_rating(record);
-  const Interval weight{record.weight_lower.value(), record.weight_upper.value()};
-  const std::optional<Interval> optimum = of(record.instance_id);
-  record.optimality = name_of(optimality_of(optimum));
-  record.optimal = name_of(is_optimal(weight, optimum));
-  if (!optimum) return;
-  const Interval alpha = alpha_of(weight, *optimum);
-  record.optimum_lower = optimum->lower;
-  record.optimum_upper = optimum->upper;
-  record.alpha_lower = alpha.lower;
-  record.alpha_upper = alpha.upper;
-}
-
-bool is_disproved(const RunRecord& record) {
-  return record.status == RunStatus::error && record.message.starts_with(kContradiction);
-}
+void KnownOptima::rate(RunRecord& record) const { mwt::rate(record, of(record.instance_id)); }
 
 bool is_disproved(const InstanceRecord& record) { return record.optimum_note.starts_with(kContradiction); }
-
-void reject(RunRecord& record, const Disproof& disproof) {
-  record.status = RunStatus::error;
-  record.message = disproof.text();
-  record.delaunay_time_s.reset();
-  clear_rating(record);
-}
 
 void reject(InstanceRecord& record, const Disproof& disproof) {
   record.optimum_lower.reset();
@@ -127,6 +93,12 @@ void rate_all(std::vector<RunRecord>& runs, const std::vector<InstanceRecord>& i
   for (RunRecord& run : runs) {
     if (known.of(run.instance_id)) known.rate(run);
   }
+}
+
+std::vector<RunRecord> rated_by_all_bounds(std::vector<RunRecord> runs, std::vector<InstanceRecord> instances) {
+  static_cast<void>(reject_disproved(runs, instances));
+  rate_all(runs, instances);
+  return runs;
 }
 
 }  // namespace mwt

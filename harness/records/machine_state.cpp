@@ -1,4 +1,4 @@
-#include "harness/tracking/machine_state.h"
+#include "harness/records/machine_state.h"
 
 #include <algorithm>
 

@@ -34,12 +34,10 @@ class KnownOptima {
   std::map<std::string, OptimumClaims> instances_;
 };
 
-/// Whether the row says that what it certified is disproved.
-[[nodiscard]] bool is_disproved(const RunRecord& record);
+/// Whether the row says that its optimum is disproved.
 [[nodiscard]] bool is_disproved(const InstanceRecord& record);
 
-/// Makes the row of a disproved claim an error, without a rating, or an instance without an optimum.
-void reject(RunRecord& record, const Disproof& disproof);
+/// Makes the row of an instance one without an optimum.
 void reject(InstanceRecord& record, const Disproof& disproof);
 
 /// Rejects the rows whose claims recorded triangulations disprove, and rates the other runs on their instances by what
@@ -49,5 +47,11 @@ std::vector<Disproof> reject_disproved(std::vector<RunRecord>& runs, std::vector
 /// Rates the runs by all that the records certify together; those on instances without any bound stay as they are.
 /// Precondition: no claim in the records is disproved.
 void rate_all(std::vector<RunRecord>& runs, const std::vector<InstanceRecord>& instances);
+
+/// The runs of a finished or running study rated as if all certified bounds in its records had been known from the
+/// beginning: a row was written with what was known by then. What recorded triangulations disprove is no bound, and the
+/// run that certified it an error. So the same instances are rated for every algorithm.
+[[nodiscard]] std::vector<RunRecord> rated_by_all_bounds(std::vector<RunRecord> runs,
+                                                         std::vector<InstanceRecord> instances);
 
 }  // namespace mwt

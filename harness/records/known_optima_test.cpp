@@ -1,4 +1,4 @@
-#include "harness/rating/known_optima.h"
+#include "harness/records/known_optima.h"
 
 #include <gtest/gtest.h>
 

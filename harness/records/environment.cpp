@@ -1,4 +1,4 @@
-#include "harness/run/machine/environment.h"
+#include "harness/records/environment.h"
 
 #include <sys/utsname.h>
 #include <unistd.h>

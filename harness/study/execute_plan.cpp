@@ -1,0 +1,255 @@
+#include "harness/study/execute_plan.h"
+
+#include <algorithm>
+#include <deque>
+#include <exception>
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "harness/io/given_triangulation.h"
+#include "harness/rating/isolated_run.h"
+#include "harness/run/interrupt.h"
+#include "harness/run/process_pool.h"
+
+namespace mwt {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{200};
+
+// The ids of recorded instances by label: a label stands for the same points whenever a run of it is recorded.
+std::map<std::string, std::string> recorded_ids(const ResultsFolder& folder) {
+  std::map<std::string, std::string> ids;
+  for (const InstanceRecord& record : folder.instances()) ids[label_of_instance(record)] = record.instance_id;
+  return ids;
+}
+
+using SharedInstance = std::shared_ptr<const Instance>;
+
+class PlanExecution {
+ public:
+  PlanExecution(const Plan& plan, const Catalogue& catalogue, const RowContext& context, const ResultsFolder& folder,
+                int jobs, OptimumCache* cache, Progress& progress, StudyResults& results)
+      : plan_(plan),
+        catalogue_(catalogue),
+        context_(context),
+        cache_(cache),
+        progress_(progress),
+        results_(results),
+        recorded_ids_(recorded_ids(folder)),
+        runs_of_(plan.instances.size()),
+        pool_(jobs) {
+    const std::set<std::string> recorded = folder.run_ids();
+    for (const PlannedRun& run : plan.runs) {
+      if (!recorded.contains(run.run_id)) runs_of_[run.instance].push_back(&run);
+    }
+  }
+
+  void run() {
+    for (std::size_t next = 0; wait_for_room();) {
+      if (!ready_.empty()) {
+        const ReadyRun ready = std::move(ready_.front());
+        ready_.pop_front();
+        start(ready);
+      } else if (next < plan_.instances.size()) {
+        begin(next++);
+      } else if (pool_.is_empty()) {
+        break;
+      } else {
+        wait();
+      }
+    }
+    while (!pool_.is_empty() && !InterruptWatch::requested()) wait();
+  }
+
+  void seek_disproved_again() {
+    for (std::size_t i = 0; i < plan_.instances.size() && wait_for_room(); ++i) {
+      const auto id = recorded_ids_.find(plan_.instances[i].label());
+      if (id != recorded_ids_.end() && results_.to_seek_again().contains(id->second)) seek(i, make(i));
+    }
+    while (!pool_.is_empty() && !InterruptWatch::requested()) wait();
+  }
+
+ private:
+  struct ReadyRun {
+    const PlannedRun* run;
+    SharedInstance instance;
+  };
+
+  void wait() {
+    pool_.wait(kPatience);
+    progress_.refresh();
+  }
+
+  // False if an interrupt was requested instead.
+  bool wait_for_room() {
+    while (pool_.is_full() && !InterruptWatch::requested()) wait();
+    return !InterruptWatch::requested();
+  }
+
+  // Throws InputError if the family has no such instance after all, or if it is another one than when the study was
+  // planned or begun; what the family throws.
+  [[nodiscard]] SharedInstance make(std::size_t position) {
+    const PlannedInstance& planned = plan_.instances[position];
+    auto made = std::make_shared<const Instance>(make_instance(planned.make_points(), planned.label()));
+    const bool is_as_planned = planned.file_instance_id.empty() || made->id == planned.file_instance_id;
+    if (!is_as_planned) throw InputError(planned.label() + ": the file has changed while the study ran");
+    const auto [recorded, is_new] = recorded_ids_.emplace(planned.label(), made->id);
+    if (!is_new && recorded->second != made->id) {
+      throw InputError(planned.label() + ": these are other points than those that were recorded under this name");
+    }
+    return made;
+  }
+
+  // An instance comes into being here, and everything that is missing of it begins.
+  void begin(std::size_t position) {
+    const PlannedInstance& planned = plan_.instances[position];
+    const auto id = recorded_ids_.find(planned.label());
+    const bool has_optimum_row = id != recorded_ids_.end() && results_.has_optimum_row(id->second);
+    if (has_optimum_row && runs_of_[position].empty()) return;
+    SharedInstance instance;
+    try {
+      instance = make(position);
+    } catch (const std::exception& error) {
+      give_up(position, error.what());
+      return;
+    }
+    if (results_.has_optimum_row(instance->id)) {
+      if (!has_optimum_row) progress_.advance(false, planned.label());  // the same points under another name
+      make_ready(position, instance);
+    } else if (const auto sought = waiting_.find(instance->id); sought != waiting_.end()) {
+      sought->second.push_back({position, instance});
+      progress_.advance(false, planned.label());
+    } else {
+      waiting_[instance->id] = {{position, instance}};
+      seek(position, instance);
+    }
+  }
+
+  void give_up(std::size_t position, const std::string& why) {
+    const PlannedInstance& planned = plan_.instances[position];
+    progress_.announce(planned.label() + ": no instance: " + why);
+    progress_.advance(true, planned.label());
+    for (const PlannedRun* run : runs_of_[position]) {
+      record_without_running(*run, "", RunStatus::error, "no instance: " + why);
+    }
+  }
+
+  void make_ready(std::size_t position, const SharedInstance& instance) {
+    for (const PlannedRun* run : runs_of_[position]) ready_.push_back({run, instance});
+  }
+
+  void seek(std::size_t position, const SharedInstance& instance) {
+    seek_optimum(pool_, instance, sources_for(*instance), context_.study.optimum_limits, cache_,
+                 results_.lightest_of(instance->id), [this, position, instance](const FoundOptimum& found) {
+                   record(plan_.instances[position], *instance, found);
+                   for (const auto& [same_points, made] : std::exchange(waiting_[instance->id], {})) {
+                     make_ready(same_points, made);
+                   }
+                   waiting_.erase(instance->id);
+                 });
+  }
+
+  [[nodiscard]] std::vector<const AlgorithmInfo*> sources_for(const Instance& instance) const {
+    if (!context_.study.seeks_optimum) return {};
+    const auto n = static_cast<Index>(instance.set.points.size());
+    return optimum_sources_for(catalogue_, context_.study.optimum_sources, n, instance.hull_size == n);
+  }
+
+  void record(const PlannedInstance& planned, const Instance& instance, const FoundOptimum& found) {
+    for (const std::string& warning : found.warnings) {
+      progress_.announce("warning: " + planned.label() + ": " + warning);
+    }
+    const bool is_well = results_.add(row_of(context_, planned, instance, found), found.contradictions);
+    progress_.advance(!is_well, planned.label());
+  }
+
+  void start(const ReadyRun& ready) {
+    const PlannedRun& run = *ready.run;
+    const std::string& instance_id = ready.instance->id;
+    if (plan_.instances[run.instance].n > run.max_n) {
+      record_without_running(run, instance_id, RunStatus::not_applicable,
+                             "beyond the largest n for this algorithm: " + std::to_string(run.max_n));
+      return;
+    }
+    Request request;
+    try {
+      request = request_for(run, *ready.instance);
+    } catch (const InputError& error) {
+      record_without_running(run, instance_id, RunStatus::error, std::string("no start: ") + error.what());
+      return;
+    }
+    const Timing timing{context_.study.min_time_s, context_.study.measures_delaunay_time};
+    start_isolated_run(pool_, request, ready.instance, context_.study.limits, timing,
+                       [this, &run, instance_id](RatedRun ended) { record(run, instance_id, std::move(ended)); });
+  }
+
+  // Throws InputError: the given start is no triangulation of the instance.
+  [[nodiscard]] Request request_for(const PlannedRun& run, const Instance& instance) const {
+    const PlannedInstance& planned = plan_.instances[run.instance];
+    Request request;
+    request.algorithm = run.algorithm;
+    request.parameters = run.parameters;
+    request.seed = planned.seed;
+    request.threads = context_.study.threads;
+    request.time_limit_s = context_.study.limits.time_s;
+    if (run.start_file) request.start = read_triangulation(*run.start_file, instance.set, planned.make_points());
+    return request;
+  }
+
+  void record_without_running(const PlannedRun& run, const std::string& instance_id, RunStatus status,
+                              const std::string& message) {
+    RatedRun none;
+    fail(none, status, message);
+    record(run, instance_id, std::move(none));
+  }
+
+  void record(const PlannedRun& planned, const std::string& instance_id, RatedRun run) {
+    const PlannedInstance& instance = plan_.instances[planned.instance];
+    RunRecord row = row_of(context_, instance, instance_id, planned, std::move(run));
+    const bool is_exact = planned.algorithm->exactness == Exactness::exact;
+    const OptimumKey key = optimum_key(instance_id, *planned.algorithm, planned.parameters);
+    if (is_exact) results_.compare_with_cache(row, key);
+    row = results_.add(std::move(row));
+    if (is_exact) results_.keep_in_cache(row, key);
+    progress_.advance(is_failure(row.status), row.algorithm + " on " + instance.label());
+  }
+
+  const Plan& plan_;
+  const Catalogue& catalogue_;
+  const RowContext& context_;
+  OptimumCache* cache_;
+  Progress& progress_;
+  StudyResults& results_;
+  std::map<std::string, std::string> recorded_ids_;      // of instances, by label
+  std::vector<std::vector<const PlannedRun*>> runs_of_;  // those without a row, by instance
+  std::deque<ReadyRun> ready_;
+  // Positions in the plan whose runs begin when the optimum of their common points has been sought, by instance id.
+  std::map<std::string, std::vector<std::pair<std::size_t, SharedInstance>>> waiting_;
+  ProcessPool pool_;  // last: its processes end before what their results refer to
+};
+
+}  // namespace
+
+std::size_t missing_steps(const Plan& plan, const ResultsFolder& folder) {
+  const std::map<std::string, std::string> ids = recorded_ids(folder);
+  const std::set<std::string> runs = folder.run_ids();
+  const auto instances = std::ranges::count_if(
+      plan.instances, [&](const PlannedInstance& instance) { return !ids.contains(instance.label()); });
+  const auto missing =
+      std::ranges::count_if(plan.runs, [&](const PlannedRun& run) { return !runs.contains(run.run_id); });
+  return static_cast<std::size_t>(instances + missing);
+}
+
+void execute_plan(const Plan& plan, const Catalogue& catalogue, const RowContext& context, const ResultsFolder& folder,
+                  int jobs, OptimumCache* cache, Progress& progress, StudyResults& results) {
+  PlanExecution execution(plan, catalogue, context, folder, jobs, cache, progress, results);
+  execution.run();
+  execution.seek_disproved_again();
+}
+
+}  // namespace mwt
