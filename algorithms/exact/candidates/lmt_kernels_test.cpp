@@ -58,17 +58,16 @@ void expect_same_deletions(Points points) {
     const Star &one = vectors.stars[v], &other = plain.stars[v];
     ASSERT_EQ(row_of(one, one.target()), row_of(other, other.target())) << "star " << v;
     ASSERT_EQ(row_of(one, one.certificate()), row_of(other, other.certificate())) << "star " << v;
-    ASSERT_TRUE(std::equal(one.x(), one.x() + one.count, other.x(), [](float a, float b) {
-      return a == b || (std::isnan(a) && std::isnan(b));
-    })) << "star "
-        << v;
+    ASSERT_TRUE(std::equal(one.x(), one.x() + one.count, other.x(),
+                           [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }))
+        << "star " << v;
   }
 }
 
 // The same certificates and survivors, with every instruction set.
 TEST(LmtKernels, AgreeWithThePlainLoops) {
   for_each_instruction_set([] {
-    for (const auto& [name, points] : instances_of_all_families({4, 10, 40, 200})) {
+    for (const auto& [name, points] : instances_of_all_families({4, 10, 40})) {
       SCOPED_TRACE(name);
       ASSERT_NO_FATAL_FAILURE(expect_same_deletions(points));
     }

@@ -8,8 +8,8 @@
 
 #include "algorithms/common/testing/extreme_points.h"
 #include "algorithms/common/testing/solver_testing.h"
-#include "algorithms/exact/naive_candidates.h"
 #include "algorithms/exact/search_stopped.h"
+#include "algorithms/exact/testing/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
 #include "geometry/numbers/scaling.h"
 
@@ -50,15 +50,6 @@ TEST(LmtSkeleton, ContainsTheOptimumAtTheLimitsOfFloats) {
     const std::vector<Point> points = test::ExtremePoints(seed).draw(kind, 5 + seed % 5);
     if (!points.empty()) expect_optimum_survives(exactly_scaled(points), "subset_dp");
   }
-}
-
-TEST(Star, HoldsComponentsThatFloatsCanMultiply) {
-  EXPECT_EQ(Star::component(0, 0x1p60), 0);
-  EXPECT_EQ(Star::component(-3, 0x1p58), -0x3p58F);
-  EXPECT_EQ(Star::component(0x1p-110, 0x1p60), Star::kMinComponent);
-  EXPECT_TRUE(std::isnan(Star::component(0x1.fffp-111, 0x1p60)));
-  EXPECT_TRUE(std::isnan(Star::component(-0x1p-1074, 0x1p60)));
-  EXPECT_TRUE(std::isnan(Star::component(0x1p-1074, 0x1p-900))) << "the product is 0";
 }
 
 TEST(LmtSkeletonSlow, ContainsTheOptimum) {

@@ -8,19 +8,18 @@
 
 namespace mwt::stage_testing {
 
-/// Calls test() once per instruction set.
+/// Calls test() once per instruction set, until one fails.
 template <class Test>
 void for_each_instruction_set(const Test& test) {
-  for (std::int64_t sets = hwy::SupportedTargets(); sets != 0; sets &= sets - 1) {
-    const std::int64_t set = sets & -sets;
+  for (const std::int64_t set : hwy::SupportedAndGeneratedTargets()) {
     SCOPED_TRACE(hwy::TargetName(set));
     hwy::SetSupportedTargetsForTest(set);
-    hwy::GetChosenTarget().DeInit();
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
     test();
     if (testing::Test::HasFatalFailure()) break;
   }
   hwy::SetSupportedTargetsForTest(0);
-  hwy::GetChosenTarget().DeInit();
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 }  // namespace mwt::stage_testing
