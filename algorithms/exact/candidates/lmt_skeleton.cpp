@@ -28,9 +28,11 @@ std::vector<CandidatePair> longest_first(Points points, double scale, const std:
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(x * x + y * y));
     bucket_of[i] = static_cast<std::uint16_t>(kBuckets - 1 - (bits >> kShift));
   }
-  return file_in_rows<CandidatePair>(kBuckets, [&](const auto& file) {
-           for (std::size_t i = 0; i < pairs.size(); ++i) file(bucket_of[i], pairs[i]);
-         }).values;
+  return file_in_rows<CandidatePair>(kBuckets,
+                                     [&](const auto& file) {
+                                       for (std::size_t i = 0; i < pairs.size(); ++i) file(bucket_of[i], pairs[i]);
+                                     })
+      .values;
 }
 
 class LmtStage {

@@ -68,7 +68,8 @@ class Consistency {
         std::equal_range(row.begin(), row.end(), FiledSide{edge.b, 0},
                          [](const auto& one, const auto& other) { return one.first < other.first; });
     const std::uint32_t first = filed_.first[edge.a];
-    return {first + static_cast<std::uint32_t>(from - row.begin()), first + static_cast<std::uint32_t>(to - row.begin())};
+    return {first + static_cast<std::uint32_t>(from - row.begin()),
+            first + static_cast<std::uint32_t>(to - row.begin())};
   }
 
   // For each side the range of sides on its other side; an empty range that starts at kNone on the boundary.

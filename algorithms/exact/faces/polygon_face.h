@@ -75,7 +75,6 @@ class PolygonFaceSolver {
     Cell cell;
   };
 
-  PolygonFaceOutcome solve_quadrilateral(FaceTriangles& result);
   [[nodiscard]] bool collect_cells();
   void collect_positions_of_vertices();
   [[nodiscard]] bool leads_back(Position position, Index partner);
@@ -87,7 +86,7 @@ class PolygonFaceSolver {
   [[nodiscard]] Option best_of_close_options(Position from, Cell cell, double threshold);
   [[nodiscard]] int compare_options(Position from, const Option& one, const Option& other);
   template <class Visit>
-  void for_each_option(Position from, Cell cell, Visit visit) const;
+  void for_each_option(Cell cell, Visit visit) const;
   void collect_diagonals(Position from, const Option& option, std::vector<Edge>& edges);
   [[nodiscard]] bool emit(FaceTriangles& result);
   [[nodiscard]] bool turns_left(const Triangle& triangle) const;
@@ -101,7 +100,7 @@ class PolygonFaceSolver {
   PolygonFaceCounters counters_;
 
   std::span<const Corner> corners_;
-  std::vector<std::pair<Index, Position>> positions_;  // of the vertices, sorted; large faces only
+  std::vector<std::pair<Index, Position>> positions_;  // of the vertices, sorted
   std::vector<std::uint32_t> passed_;                  // by position: its candidates up to the last one found
 
   // Cells (i, j), i < j, row by row, ascending j: boundary edges and candidates.
