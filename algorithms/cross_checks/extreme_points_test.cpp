@@ -58,7 +58,7 @@ void expect_agreement(const std::vector<Answer>& answers) {
   }
 }
 
-// Solves sets of 4 to `max_n` points of all kinds; says how many `exact` left open.
+// Solves sets of 4 to `max_n` points of all kinds; prints how many `exact` left open.
 void compare_solvers(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
   std::uint64_t open = 0;
   for (std::uint64_t i = 0; i < sets; ++i) {

@@ -102,7 +102,7 @@ void balance_duals(const CoverModel& model, CoverDuals& duals, const Deadline& d
   const std::size_t sweeps = std::min(kMaxSweeps, kMaxVisits / (model.columns.size() + 1));
   for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
     for (const std::uint32_t edge : order) balance.balance(edge);
-    std::reverse(order.begin(), order.end());  // news travels both ways
+    std::reverse(order.begin(), order.end());  // so that changes spread in both directions
     const double dual = balance.boundary_dual();
     const bool late = has_passed(deadline);
     if (late || std::abs(dual - last) <= kNegligibleGain * dual) break;

@@ -16,7 +16,7 @@ void jump_back(void* destination) {
   std::longjmp(*static_cast<std::jmp_buf*>(destination), 1);
 }
 
-// GLPK reports its errors on the terminal even when told to be quiet; a hook that claims each message keeps it so.
+// GLPK prints errors on the terminal even in quiet mode; a hook that claims to have handled each message prevents that.
 int swallow_message(void*, const char*) { return 1; }
 
 glp_prob* glpk(void* problem) { return static_cast<glp_prob*>(problem); }

@@ -23,7 +23,7 @@
 namespace mwt {
 
 /// A region to cover: connected, possibly with holes, slits and isolated points. Its boundary is given as directed
-/// edges with the region on their left; an edge inside the region that must be part of the cover stands there in both
+/// edges with the region on their left; an edge inside the region that must be part of the cover is given in both
 /// directions.
 struct TriangleCoverProblem {
   Points points;

@@ -28,8 +28,8 @@ struct DoubleDouble {
 inline constexpr double kDoubleDoubleError = 0x1p-100;
 
 /// Sums of the high parts of two double-doubles that differ by more than this share of themselves are in the order of
-/// the exact sums: each high part errs by 2^-53 of itself (the errors of the double-doubles are nothing to that), and so
-/// does their sum, so that 4.1 * 2^-53 would do.
+/// the exact sums: each high part errs by 2^-53 of itself (the errors of the double-doubles are nothing to that), and
+/// so does their sum, so that 4.1 * 2^-53 would do.
 inline constexpr double kRoundedSumMargin = 0x1p-50;
 
 /// a + b exactly.

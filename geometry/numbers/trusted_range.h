@@ -1,4 +1,4 @@
-// The ranges in which rounded arithmetic keeps its relative error bounds: what every floating-point filter stands on.
+// The ranges in which rounded arithmetic keeps its relative error bounds: the basis of every floating-point filter.
 //
 // A filter compares a rounded value with a margin that is a proven error bound and some room. Such bounds are relative
 // to the magnitudes of the terms, and hold as long as nothing overflows and no product underflows. (Sums and

@@ -46,7 +46,7 @@ void expect_symmetric(const CandidateGraph& graph) {
   EXPECT_EQ(std::adjacent_find(forwards.begin(), forwards.end()), forwards.end()) << "an edge stands twice";
 }
 
-// Property (1), second half. The edges by x, so that only points between its ends are looked at.
+// Property (1), second half. The edges by x, so that only points between its ends are examined.
 void expect_no_point_on_edges(const CandidateGraph& graph) {
   const std::vector<Index> by_x = lexicographic_order(graph.points);
   std::vector<Index> rank(by_x.size());

@@ -36,7 +36,7 @@ struct NearPoints {
   double scale = 1;  ///< power of two that brings the instance's extent near 2^60, so that squares of floats keep range
   int leaf_size = 0;  ///< points of the leaf itself: the first places
   int leaves = 0;
-  int samples = 0;  ///< further points, sparse ones from far away: they stand after the near leaves' places
+  int samples = 0;                        ///< further points, sparse ones from far away: placed after the near leaves
   std::array<float, kLeaves> distance{};  ///< scaled lower bound of the distance of each near leaf's box
   alignas(64) std::array<double, kCapacity + kSampleCapacity> x{};
   alignas(64) std::array<double, kCapacity + kSampleCapacity> y{};

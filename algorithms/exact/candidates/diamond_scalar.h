@@ -31,7 +31,7 @@ inline constexpr float kLengthRoundUp = 1.0001F;
   return static_cast<float>((coordinate - origin) * scale);
 }
 
-/// The distance that a code of DeadDistances stands for, and the code of a distance, rounded up.
+/// The distance that a code of DeadDistances encodes, and the code of a distance, rounded up.
 [[nodiscard]] inline float distance_of(std::uint16_t code) { return std::bit_cast<float>(std::uint32_t{code} << 16); }
 [[nodiscard]] inline std::uint16_t code_above(float distance) {
   return static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(distance) + 0xFFFF) >> 16);
@@ -39,7 +39,7 @@ inline constexpr float kLengthRoundUp = 1.0001F;
 
 /// Squared distance of the nearest blocking point per bin, with the bins around the first and the last one repeated.
 struct NearestPerBin {
-  static constexpr int kMargin = 8;  ///< >= kBlockingBins
+  static constexpr int kMargin = 8;                                    ///< >= kBlockingBins
   static constexpr int kDustbin = kMargin + kDirectionBins + kMargin;  ///< place of points that do not block
   static_assert(kMargin >= kBlockingBins);
 
@@ -189,7 +189,7 @@ class ScalarDiamondTest {
                              Index p, Index q, Blocking& blocking) {
     constexpr auto kTangent = static_cast<float>(kTangentOfDiamondAngle);
     const float x = view.x[place], y = view.y[place], margin = kProductMargin * edge.square;
-    const float along = Rounding::multiply_add(edge.x, x, edge.y * y);     // from p, times the edge's length
+    const float along = Rounding::multiply_add(edge.x, x, edge.y * y);    // from p, times the edge's length
     const float height = Rounding::multiply_add(-edge.y, x, edge.x * y);  // above the edge, times its length
     const float nearer_end = std::min(along, edge.square - along);
     const float roof = nearer_end * kTangent - margin;

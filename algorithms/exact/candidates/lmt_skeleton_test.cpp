@@ -59,8 +59,9 @@ TEST(LmtSkeletonSlow, ContainsTheOptimum) {
   }
 }
 
-// By definition: of the candidates, those that are locally minimal in a quadrilateral of survivors, points inside
-// triangles asked of all points, exactly. The stage may keep more (its floats are uncertain), never fewer.
+// By definition: of the candidates, those that are locally minimal in a quadrilateral of survivors, with
+// exact tests of all points for being inside a triangle. The stage may keep more (its floats are uncertain), never
+// fewer.
 TEST(LmtSkeleton, KeepsAllLocallyMinimalEdges) {
   for (const auto& [name, points] : instances_of_all_families({10, 20})) {
     SCOPED_TRACE(name);

@@ -18,7 +18,7 @@ bool leads_to(const CandidateGraph& graph, const Corner& corner, Index target) {
 std::uint32_t FaceWalker::halfedge_between(Index vertex, Index neighbour) const {
   const auto star = graph_.star(vertex);
   const auto place = std::find(star.begin(), star.end(), neighbour);
-  if (place == star.end()) throw std::logic_error("candidate graph: an edge stands in one of its ends' stars only");
+  if (place == star.end()) throw std::logic_error("candidate graph: an edge is in the star of one of its ends only");
   return graph_.first[vertex] + static_cast<std::uint32_t>(place - star.begin());
 }
 

@@ -26,7 +26,7 @@ struct FaceTriangles {
 struct PolygonFaceCounters {
   std::uint64_t cells = 0;                ///< intervals whose optimum was computed
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums that doubles could not decide
-  std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart
+  std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision could compare
 };
 
 enum class PolygonFaceOutcome {
@@ -39,8 +39,8 @@ enum class PolygonFaceOutcome {
 /// Solves faces one after the other in the same memory. Not for concurrent use: one object per thread.
 ///
 /// Exact: each interval's best apex is found in doubles with a proven error bound, what that leaves open is compared in
-/// double-double arithmetic, and what that leaves open by compare_length_sums(). Of equal options the same one is
-/// kept always.
+/// double-double arithmetic, and what that leaves open by compare_length_sums(). Of equal options, always the same
+/// one is kept.
 ///
 /// For L corners and m candidates O(L + m) space; time O(L + m) for small faces, in general the sum over the candidates
 /// of the candidates at one of their ends.
@@ -58,7 +58,7 @@ class PolygonFaceSolver {
   using Position = std::uint32_t;
   using Cell = std::uint32_t;
 
-  // A cell (apex, j) as the cells (i, j) with i < apex see it.
+  // A cell (apex, j), the right part of cells (i, j) with i < apex.
   struct BackwardCell {
     Position apex;
     Cell cell;

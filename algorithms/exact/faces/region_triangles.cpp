@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// An edge as one of its ends sees it.
+// An edge in the star of one of its ends.
 struct Spoke {
   Index to = 0;
   std::uint32_t under = 0;  // points under the edge
@@ -23,7 +23,7 @@ struct Spoke {
   bool arrives = false;     // or directed towards here
 };
 
-// Left, right, under and between are meant as a sweep in lexicographic order sees them: a point is under an edge if it
+// Left, right, under and between refer to a sweep in lexicographic order: a point is under an edge if it
 // lies between its ends in that order and to the right of the edge directed upwards.
 class TriangleSearch {
  public:
@@ -95,7 +95,7 @@ class TriangleSearch {
   }
 
   Points points_;
-  Rows<Spoke> spokes_;                   // by the end that sees them
+  Rows<Spoke> spokes_;                   // by end
   std::vector<std::uint32_t> place_of_;  // in the star at hand, by its other end
 };
 
