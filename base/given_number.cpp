@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include <cstdint>
 #include "base/error.h"
 #include "base/number_text.h"
 
@@ -40,11 +39,11 @@ bool has_only_digits(std::string_view text) {
 // What is wrong with a text that is no number of the range.
 template <class Number>
 std::string mistake_in(std::string_view text, NumberRange<Number> range) {
-  constexpr bool is_whole = !std::floating_point<Number>;
+  constexpr bool kIsWhole = !std::floating_point<Number>;
   if (text.empty()) return "is empty";
   const std::optional<double> value = parse_number(text);
-  if (!value || std::isnan(*value) || (is_whole && !has_only_digits(text))) {
-    return is_whole ? "is not a whole number" : "is not a number";
+  if (!value || std::isnan(*value) || (kIsWhole && !has_only_digits(text))) {
+    return kIsWhole ? "is not a whole number" : "is not a number";
   }
   const std::optional<Number> number = parse<Number>(text);
   const bool is_below = number ? *number < range.least : *value < 0;

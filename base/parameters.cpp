@@ -58,7 +58,8 @@ Parameters::Parameters(const std::string& owner, const std::vector<ParameterInfo
     names.push_back(info.name);
   }
   for (const auto& [name, value] : given) {
-    const auto info = std::find_if(declared.begin(), declared.end(), [&](const auto& i) { return i.name == name; });
+    const auto info =
+        std::find_if(declared.begin(), declared.end(), [&name = name](const auto& i) { return i.name == name; });
     if (info == declared.end()) {
       throw InputError(owner + ": unknown parameter '" + name + "'; " +
                        (names.empty() ? "it has none" : "it has " + joined(names)));

@@ -1,4 +1,4 @@
-// Checking what a family is asked for; the messages name the family and the nearest thing that it can do.
+// Checks the arguments of a family; messages name the family and the nearest legal value.
 #pragma once
 
 #include <cstdint>

@@ -20,7 +20,7 @@ from page_testing import Keys, PageTestCase, main, program, run  # noqa: E402
 NIGHTLY_RUNS, CHANGED = 40, 25
 COLUMNS = ("schema_version,study,env_id,recorded_at,git_commit,algorithm,params,generator,n,seed,repetition,threads,status,"
            "wall_time_s,delaunay_time_s,peak_rss_bytes,weight_lower,weight_upper,optimality,alpha_lower,alpha_upper")
-OLD_SCHEMA = 1  # whose files are read by the names of their columns
+OLD_SCHEMA = 1  # files of this version are read by column name
 ALGORITHMS = ("delaunay", "flip", "greedy", "patch")
 
 
@@ -61,9 +61,9 @@ class DashboardTest(PageTestCase):
 
     def test_words_come_first(self):
         self.assertIn("3 regressions, 0 improvements in 40 nightly runs", self.value("document.querySelector('.answer').innerText"))
-        told = self.texts(".changes .told")
-        self.assertEqual([text.split(":")[0] for text in told], ["2026-01-26 flip", "2026-01-26 greedy", "2026-01-26 patch"])
-        self.assertRegex(told[1], r"time x1\.(0[89]|1[01])")
+        texts = self.texts(".changes .text")
+        self.assertEqual([text.split(":")[0] for text in texts], ["2026-01-26 flip", "2026-01-26 greedy", "2026-01-26 patch"])
+        self.assertRegex(texts[1], r"time x1\.(0[89]|1[01])")
         self.assertEqual(self.texts(".changes .badge"), ["regression"] * 3)
 
     def banner(self, series, outcome, *options):
@@ -84,13 +84,13 @@ class DashboardTest(PageTestCase):
         series.write_text(json.dumps(content))
         return series
 
-    def test_a_failing_night_is_not_green_though_nothing_stepped(self):
+    def test_a_failing_nightly_run_is_not_green_without_steps(self):
         text, colour = self.banner(self.stable_series(), "regression", "--state", "Not accepted.")
         self.assertEqual(colour, "bad")
         for part in ("The last nightly run: regression", "time of flip x3.000", "Not accepted.", "0 regressions", "Load: base 0.10; new results 3.99"):
             self.assertIn(part, text)
 
-    def test_only_a_night_without_anything_open_is_green(self):
+    def test_only_a_nightly_run_with_nothing_open_is_green(self):
         self.assertEqual(self.banner(self.stable_series(), "not slower")[1], "good")
         self.assertEqual(self.banner(self.stable_series(), "unclear")[1], "open")
         self.assertEqual(self.banner(self.stable_series(), "not compared")[1], "open")
@@ -123,14 +123,14 @@ class DashboardTest(PageTestCase):
         self.value("[...document.querySelectorAll('button')].find((button) => button.textContent === 'show more series').click()")
         self.assertGreater(len(self.texts(".sparkline")), shown)
 
-    def test_keyboard_tells_commit_and_value(self):
+    def test_keyboard_shows_commit_and_value(self):
         self.value("document.querySelector('.sparkline svg').focus()")
         self.browser.press(Keys.HOME)
         self.assertIn("2026-01-01, commit 0000000000: ", self.texts(".sparkline output")[0])
         self.browser.press(Keys.ARROW_RIGHT)
         self.assertIn("2026-01-02", self.texts(".sparkline output")[0])
 
-    def test_pointing_tells_commit_and_value(self):
+    def test_pointing_shows_commit_and_value(self):
         self.value("(() => { const svg = document.querySelector('.sparkline svg'); const box = svg.getBoundingClientRect();"
                    " svg.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + 1, clientY: box.top + 5 })); })()")
         self.assertIn("2026-01-01", self.texts(".sparkline output")[0])

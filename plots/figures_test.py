@@ -3,6 +3,7 @@
 import math
 import pathlib
 import sys
+import types
 import unittest
 
 import matplotlib.pyplot as plt
@@ -11,8 +12,8 @@ import pandas as pd
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from figures import growth, panels, time_by_n, trade_off  # noqa: E402  (beside this file)
-from figures.fits import is_exponential, power_law  # noqa: E402
-from library import records, style  # noqa: E402
+from library import style  # noqa: E402
+from library.records import Law  # noqa: E402
 
 
 def observations(alphas):
@@ -23,18 +24,6 @@ def observations(alphas):
         for instance, alpha in enumerate(of_label)
         if alpha is not None
     )
-
-
-class Labels(unittest.TestCase):
-    def test_a_single_configuration_has_the_bare_name(self):
-        self.assertEqual(records.labels(["flip", "flip"], ["start=x", "start=x"]), ["flip", "flip"])
-
-    def test_the_commonest_configuration_keeps_the_bare_name(self):
-        found = records.labels(["flip"] * 3, ["order=a start=x", "order=a start=y", "order=a start=x"])
-        self.assertEqual(found, ["flip", "flip start=y", "flip"])
-
-    def test_equally_common_variants_all_say_what_they_are(self):
-        self.assertEqual(records.labels(["patch"] * 2, ["k=6 m=1", "k=14 m=1"]), ["patch k=6", "patch k=14"])
 
 
 class SideBySide(unittest.TestCase):
@@ -81,38 +70,43 @@ class EqualLabels(unittest.TestCase):
         self.assertEqual(found, {"a": [], "b": []})
 
 
+def law(exponent, factor=1.0, min_n=10, max_n=1000, lower=math.nan, upper=math.nan, fits=True):
+    return Law(exponent, lower, upper, factor, min_n, max_n, fits)
+
+
+class Laws(unittest.TestCase):
+    def test_a_legend_states_the_interval(self):
+        self.assertEqual(law(1.054, lower=1.03, upper=1.07).interval(), " (1.03–1.07)")
+        self.assertEqual(law(1.054).interval(), "", "every size was observed once")
+
+    def test_a_curve_has_a_dashed_line_and_no_interval(self):
+        curve = law(1.5, lower=1.4, upper=1.6, fits=False)
+        self.assertEqual((curve.line_style, curve.interval()), ("--", ""))
+        self.assertEqual(growth.exponent_text(curve).split(), ["e", "≈", "1.50"])
+
+
 class Growth(unittest.TestCase):
     def test_no_line_falls_below_one(self):
-        n = np.array([20.0, 50, 100, 1000])
-        alpha = pd.Series([1, 1, 1.3, 10], index=n)
-        exponent, factor = power_law(n, alpha.to_numpy())
-        self.assertLess(factor * 20**exponent, 1, "the law itself does")
-        ends, heights = growth.line(alpha, exponent, factor)
-        self.assertGreater(ends[0], 20)
-        self.assertGreaterEqual(min(heights), 1 - 1e-12)
+        ends, heights = growth.line(law(0.5, factor=0.25))
+        self.assertEqual(list(ends), [16, 1000])
+        self.assertGreaterEqual(min(heights), 1)
 
     def test_a_line_spans_what_it_is_fitted_to(self):
-        n = [20, 40, 80, 160, 320, 640]
-        ends, _ = growth.line(pd.Series([float(x) for x in n], index=n), 1.0, 1.0)
-        self.assertEqual(list(ends), [160, 640], "the larger half of more than five sizes")
+        ends, heights = growth.line(law(1.0, min_n=20, max_n=640))
+        self.assertEqual((list(ends), list(heights)), ([20, 640], [20, 640]))
 
 
 class Times(unittest.TestCase):
-    def test_exponential_growth_is_told_from_a_power(self):
-        n = np.array([8.0, 12, 16, 24, 32])
-        self.assertTrue(is_exponential(n, 1e-6 * 2**n))
-        self.assertFalse(is_exponential(n, 1e-6 * n**3))
-        self.assertFalse(is_exponential(n[:3], 1e-6 * 2 ** n[:3]), "three sizes fit anything")
+    def results(self, *laws):
+        return types.SimpleNamespace(laws={("uniform", "flip", "wall_time_s"): one for one in laws})
 
-    def test_sizes_of_a_small_range_have_no_slope(self):
-        n = [8, 9, 10, 11, 12, 13]
-        self.assertIsNone(time_by_n.fitted(pd.Series([1e-3 * 3.0**x for x in n], index=n)))
+    def test_the_line_is_the_law_that_the_program_fitted(self):
+        fitted = law(1.5)
+        self.assertIs(time_by_n.law_of(self.results(fitted), "uniform", "flip"), fitted)
+        self.assertIsNone(time_by_n.law_of(self.results(), "uniform", "flip"))
 
-    def test_a_power_is_found(self):
-        n = [10, 100, 1000]
-        exponent, _, sizes = time_by_n.fitted(pd.Series([1e-4 * x**1.5 for x in n], index=n))
-        self.assertAlmostEqual(exponent, 1.5)
-        self.assertEqual(list(sizes), n)
+    def test_sizes_of_a_small_range_have_no_line(self):
+        self.assertIsNone(time_by_n.law_of(self.results(law(9.3, min_n=8, max_n=13)), "uniform", "flip"))
 
 
 class TradeOff(unittest.TestCase):

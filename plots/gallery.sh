@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes what the gallery draws, with the program itself, after mwt report: plots/gallery.sh MWT RESULTS_FOLDER
 #   RESULTS_FOLDER/gallery/SET.csv        the points
-#   RESULTS_FOLDER/gallery/SET.NAME.csv   the triangles of one algorithm, SET.NAME.json what mwt solve says of them
+#   RESULTS_FOLDER/gallery/SET.NAME.csv   the triangles of one algorithm, SET.NAME.json the output of mwt solve
 set -euo pipefail
 
 mwt=$(realpath "$1")

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Makes the dashboard of the nightly runs: plots/make_dashboard.py SERIES.json -o PAGE.html
 
-Reads what `mwt history series --json` wrote: regressions and improvements in words, then a sparkline of every series with its
-steps marked. With --comparison, what `mwt compare --verdict` wrote of the last nightly run stands above them, and with --state what
-followed from it. Writes one self-contained HTML file. Only the last nightly run's environment and study are shown, or those given
-with --environment and --study.
+Reads the output of `mwt history series --json` and writes one self-contained HTML file: regressions and improvements in words, then a
+sparkline of every series with its steps marked. --comparison adds the outcome of `mwt compare --verdict` for the last nightly run on top,
+and --state what followed from it. The page shows the environment and study of the last nightly run, or those of --environment and
+--study.
 """
 import argparse
 import json
@@ -14,7 +14,7 @@ import pathlib
 from library import html_page
 from library.html_page import Section
 
-TITLE = "Minimum weight triangulation: night by night"
+TITLE = "Minimum weight triangulation: nightly runs"
 SECTIONS = [
     Section("changes", "What changed", "dashboard/changes.html"),
     Section("series", "Every series", "dashboard/series.html"),
@@ -55,10 +55,10 @@ def steps_by_series(history):
     steps = {}
     for change in history.changes:
         for step in change["steps"]:
-            told = {"nightly_run": step["nightly_run"], "before": step["before"], "after": step["after"], "worse": change["regression"]}
-            steps.setdefault(identity(change["algorithm"], step), []).append(told)
-    for told in steps.values():
-        told.sort(key=lambda step: step["nightly_run"])
+            entry = {"nightly_run": step["nightly_run"], "before": step["before"], "after": step["after"], "worse": change["regression"]}
+            steps.setdefault(identity(change["algorithm"], step), []).append(entry)
+    for of_series in steps.values():
+        of_series.sort(key=lambda step: step["nightly_run"])
     return steps
 
 
@@ -148,8 +148,8 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True)
     parser.add_argument("--study")
     parser.add_argument("--environment")
-    parser.add_argument("--comparison", type=pathlib.Path, help="of the last nightly run, by mwt compare --verdict; it may be missing")
-    parser.add_argument("--state", help="what followed from the comparison, a sentence")
+    parser.add_argument("--comparison", type=pathlib.Path, help="output of mwt compare --verdict for the last nightly run; the file may be missing")
+    parser.add_argument("--state", help="a sentence: what followed from the comparison")
     arguments = parser.parse_args()
     history = History(json.loads(arguments.series.read_text(encoding="utf-8")), arguments.study, arguments.environment)
     has_comparison = arguments.comparison and arguments.comparison.is_file()

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Makes a study's page: plots/make_page.py RESULTS_FOLDER [-o PAGE.html]
 
-Reads what `mwt run` and `mwt report` wrote and, if it is there, what plots/gallery.sh did. Writes one self-contained HTML
-file, by default RESULTS_FOLDER/report.html, and the figures to RESULTS_FOLDER/figures as SVG and PNG. The page shows what the
-study has; verdicts on the source report's claims, where the study is made for them. Needs python3-pandas,
+Reads the files of `mwt run`, `mwt report` and, if present, plots/gallery.sh. Writes one self-contained HTML file, by default
+RESULTS_FOLDER/report.html, and the figures to RESULTS_FOLDER/figures as SVG and PNG. The page has verdicts on the source report's
+claims if the study judges them. Needs python3-pandas,
 python3-matplotlib and python3-jinja2.
 """
 import argparse
@@ -31,7 +31,7 @@ REPRODUCED = {"claims": "./reproduce", "claims_full": "./reproduce --full"}  # s
 
 
 def title(results):
-    what = "the report’s claims, measured" if results.judges_claims else f"study “{results.study['name']}”"
+    what = "the source report’s claims, measured" if results.judges_claims else f"study “{results.study['name']}”"
     return f"Minimum weight triangulation: {what}"
 
 

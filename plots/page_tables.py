@@ -1,4 +1,4 @@
-"""The tables of a study's page: cells with their intervals, failed runs, all runs. What readers look for comes first."""
+"""The tables of a study's page: cells with their intervals, failed runs, all runs."""
 import os
 import pathlib
 import re
@@ -180,7 +180,7 @@ def failures_table(results):
     failed = runs[is_failure(runs)]
     if failed.empty:
         return None
-    columns = [*run_columns(), {"title": "what is known"}, *parameter_columns()]
+    columns = [*run_columns(), {"title": "cause"}, *parameter_columns()]
     rows = [
         [*run_cells(results, run), run.message or run.checker, *parameter_cells(results, run)]
         for run in failed.itertuples()
@@ -208,7 +208,7 @@ def claim_sets(runs, claim_rows):
         claim: ranges(place[run_id] for run_id in group["run_id"])
         for claim, group in claim_rows.groupby("claim", sort=False)
     }
-    return {"sets": sets, "sets_title": "judged for claim"}
+    return {"sets": sets, "sets_title": "behind claim"}
 
 
 def runs_table(results, claim_rows):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests the report's page as its readers use it: plots/page_test.py MWT
+"""Tests the page of the claims as its readers use it: plots/page_test.py MWT
 
 Runs a small study, makes its page and looks at it in a headless Chromium. Exit code 77 (skipped) without Chromium or
 Selenium.

@@ -20,7 +20,7 @@ namespace mwt {
 /// Time as that algorithm takes.
 [[nodiscard]] PlanarMesh start_mesh(Points points, const Context& context);
 
-/// The same, with kBetaSkeletonMark (beta-skeleton edges.h) on its edges that are beta-skeleton edges.
+/// The same, with kBetaSkeletonMark (beta_skeleton_edges.h) on its edges that are beta-skeleton edges.
 [[nodiscard]] PlanarMesh start_mesh_with_beta_skeleton(Points points, const Context& context);
 
 /// Flips `count` random edges of the mesh where they can be flipped. Deterministic for a seed.

@@ -58,24 +58,33 @@ void expect_agreement(const std::vector<Answer>& answers) {
   }
 }
 
-// Solves sets of 4 to `max_n` points of all kinds; prints how many `exact` left open.
-void compare_solvers(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
-  std::uint64_t open = 0;
+// Calls check(points) for sets of all kinds in turn, of size_of(round) points, and stops at the first that fails.
+template <class SizeOf, class Check>
+void for_each_set(std::uint64_t first_seed, std::uint64_t sets, const SizeOf& size_of, const Check& check) {
   for (std::uint64_t i = 0; i < sets; ++i) {
     const auto kind = static_cast<ExtremePoints::Kind>(i % ExtremePoints::kKinds);
-    const std::size_t n = 4 + i / ExtremePoints::kKinds % (max_n - 3);
+    const std::size_t n = size_of(i / ExtremePoints::kKinds);
     const std::vector<Point> points = ExtremePoints(first_seed + i).draw(kind, n);
     if (points.empty()) continue;
     SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << first_seed + i << ", n " << n);
+    check(points);
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+}
+
+// Solves sets of 4 to `max_n` points of all kinds; prints how many `exact` left open.
+void compare_solvers(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
+  std::uint64_t open = 0;
+  const auto size_of = [=](std::uint64_t round) -> std::size_t { return 4 + round % (max_n - 3); };
+  for_each_set(first_seed, sets, size_of, [&](const std::vector<Point>& points) {
     std::vector<Answer> answers;
     for (const char* solver : {"exact", "subset_dp", "brute_force", "polygon_dp", "two_chains"}) {
-      if (solver == std::string("brute_force") && n > 8) continue;
+      if (solver == std::string("brute_force") && points.size() > 8) continue;
       if (auto answer = answer_of(solver, points)) answers.push_back(*std::move(answer));
     }
     expect_agreement(answers);
-    ASSERT_FALSE(testing::Test::HasFailure());
     open += claims_the_optimum(answers.front()) ? 0 : 1;
-  }
+  });
   EXPECT_LE(open, sets / 500) << "exact, where linear programs are numerically hard";
 }
 
@@ -88,19 +97,14 @@ TEST(ExtremePointsSlow, ExactSolversAgreeOnLargerSets) { compare_solvers(3'000'0
 // Where the k-d tree has several leaves. The triangle program may not come to an end: its bounds count.
 void compare_with_the_triangle_program(std::uint64_t first_seed, std::uint64_t sets, std::size_t min_n,
                                        std::size_t max_n) {
-  for (std::uint64_t i = 0; i < sets; ++i) {
-    const auto kind = static_cast<ExtremePoints::Kind>(i % ExtremePoints::kKinds);
-    const std::size_t n = min_n + i / ExtremePoints::kKinds % (max_n + 1 - min_n);
-    const std::vector<Point> points = ExtremePoints(first_seed + i).draw(kind, n);
-    if (points.empty()) continue;
-    SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << first_seed + i << ", n " << n);
+  const auto size_of = [=](std::uint64_t round) -> std::size_t { return min_n + round % (max_n + 1 - min_n); };
+  for_each_set(first_seed, sets, size_of, [&](const std::vector<Point>& points) {
     std::vector<Answer> answers;
     for (const char* solver : {"exact", "triangle_lp", "greedy", "patch"}) {
       answers.push_back(*answer_of(solver, points, Context::Clock::now() + std::chrono::milliseconds(100)));
     }
     expect_agreement(answers);
-    ASSERT_FALSE(testing::Test::HasFailure());
-  }
+  });
 }
 
 TEST(ExtremePoints, ExactAgreesWithTheTriangleProgram) { compare_with_the_triangle_program(5'000'000, 160, 4, 30); }
@@ -193,16 +197,12 @@ std::vector<Edge> greedy_edges(Points points, std::size_t large_face) {
 }
 
 void compare_greedy(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
-  for (std::uint64_t i = 0; i < sets; ++i) {
-    const auto kind = static_cast<ExtremePoints::Kind>(i % ExtremePoints::kKinds);
-    const std::size_t n = 4 + (i / ExtremePoints::kKinds * 7) % (max_n - 3);
-    const std::vector<Point> points = ExtremePoints(first_seed + i).draw(kind, n);
-    if (points.empty()) continue;
-    SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << first_seed + i << ", n " << n);
+  const auto size_of = [=](std::uint64_t round) -> std::size_t { return 4 + round * 7 % (max_n - 3); };
+  for_each_set(first_seed, sets, size_of, [&](const std::vector<Point>& points) {
     const std::vector<Edge> expected = edges_of(solve_and_check("greedy_naive", points).triangulation);
     ASSERT_EQ(edges_of(solve_and_check("greedy", points).triangulation), expected);
     ASSERT_EQ(greedy_edges(points, 0), expected) << "faces reduced before the queue";
-  }
+  });
 }
 
 TEST(ExtremePoints, GreedyEqualsGreedyNaive) { compare_greedy(7'000'000, 1600, 20); }
@@ -211,22 +211,17 @@ TEST(ExtremePointsSlow, GreedyEqualsGreedyNaive) { compare_greedy(8'000'000, 60'
 
 // Among others: greedy and patch crashed, flip returned flat triangles, quadtree ran forever.
 void check_all_algorithms(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
-  for (std::uint64_t i = 0; i < sets; ++i) {
-    const auto kind = static_cast<ExtremePoints::Kind>(i % ExtremePoints::kKinds);
-    const std::size_t n = 4 + (i / ExtremePoints::kKinds * 7) % (max_n - 3);
-    const std::vector<Point> points = ExtremePoints(first_seed + i).draw(kind, n);
-    if (points.empty()) continue;
-    SCOPED_TRACE(testing::Message() << "kind " << kind << ", seed " << first_seed + i << ", n " << n);
+  const auto size_of = [=](std::uint64_t round) -> std::size_t { return 4 + round * 7 % (max_n - 3); };
+  for_each_set(first_seed, sets, size_of, [&](const std::vector<Point>& points) {
     std::vector<Answer> answers;
     for (const AlgorithmInfo& algorithm : algorithms()) {
       const bool takes_long = algorithm.name == "brute_force" || algorithm.name == "subset_dp";
-      if (takes_long && n > 8) continue;
+      if (takes_long && points.size() > 8) continue;
       const auto deadline = Context::Clock::now() + std::chrono::milliseconds(100);
       if (auto answer = answer_of(algorithm.name, points, deadline)) answers.push_back(*std::move(answer));
     }
     expect_agreement(answers);
-    ASSERT_FALSE(testing::Test::HasFailure());
-  }
+  });
 }
 
 TEST(ExtremePoints, EveryAlgorithmIsValid) { check_all_algorithms(9'000'000, 400, 24); }

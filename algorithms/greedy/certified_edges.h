@@ -10,7 +10,7 @@ namespace mwt {
 /// two points that crosses it and no constraint (lemma 2 in README.md), hence greedy under any tie rule.
 ///
 /// Rounded towards no: floating point with a margin of 1e-12, a thousand times its error; angles whose products leave
-/// the trusted range (geometry/trusted_range.h) get no. Precondition: e is not a hull edge.
+/// the trusted range (geometry/numbers/trusted_range.h) get no. Precondition: e is not a hull edge.
 [[nodiscard]] bool is_certainly_greedy(const PlanarMesh& mesh, MeshEdge e);
 
 }  // namespace mwt

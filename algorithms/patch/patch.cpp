@@ -181,7 +181,8 @@ AlgorithmInfo patch_entry() {
   info.name = "patch";
   info.summary = "re-triangulates patches of k triangles optimally until none improves (large-neighbourhood search)";
   info.source =
-      "this project; sub-solver: G. T. Klincsek, Minimal triangulations of polygonal domains (1980); beta_skeleton: "
+      "this project; sub-solver: G. T. Klincsek, Minimal triangulations of polygonal domains (1980); beta-skeleton "
+      "edges: "
       "S.-W. "
       "Cheng, "
       "Y.-F. Xu, On beta-skeleton as a subgraph of the minimum weight triangulation (2001)";

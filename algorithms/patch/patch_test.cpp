@@ -118,13 +118,13 @@ TEST(Patch, WallsAreInTheBestTriangulationsFound) {
     mark_beta_skeleton(delaunay);
     const Solution solution = solve_checked(patch_entry(), points, {{"k", "12"}, {"beta_skeleton", "off"}});
     const std::vector<Edge> best = edges_of(solution.triangulation);
-    std::size_t beta_skeleton = 0;
+    std::size_t marked = 0;
     for (MeshEdge e = 0; e < delaunay.edge_count(); ++e) {
       if ((delaunay.marks(e) & kBetaSkeletonMark) == 0) continue;
-      ++beta_skeleton;
+      ++marked;
       EXPECT_TRUE(std::binary_search(best.begin(), best.end(), delaunay.labelled_edge(e))) << name;
     }
-    EXPECT_GT(beta_skeleton, 100U) << name;
+    EXPECT_GT(marked, 100U) << name;
   }
 }
 

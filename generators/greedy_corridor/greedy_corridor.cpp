@@ -36,7 +36,7 @@ GrowthLaw root_growth(const std::string& algorithm, const std::string& start, co
 
 GeneratorInfo greedy_corridor_entry() {
   return {.name = "greedy_corridor",
-          .summary = "two facing reflex chains on which greedy goes wrong by a factor of order sqrt n",
+          .summary = "two facing reflex chains on which greedy's alpha is of order sqrt n",
           .source = "Levcopoulos, IPL 25 (1987), for the lower bound; the set was made for this project",
           .stresses = "greedy and greedy followed by flips (claims C4 and C5)",
           .law = "alpha of greedy grows like sqrt n (1.85 at n = 16, 37.1 at 4096); optimum by a two-chain program",

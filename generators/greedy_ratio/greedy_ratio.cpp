@@ -8,7 +8,7 @@ namespace mwt {
 
 namespace {
 
-// Within one percent of what was asked from n = 2000 on.
+// Within one percent of the parameter from n = 2000 on.
 GrowthLaw tends_to(double alpha, const std::string& text) {
   return {.algorithm = "greedy",
           .algorithm_parameters = {},
@@ -24,7 +24,7 @@ GrowthLaw tends_to(double alpha, const std::string& text) {
 
 GeneratorInfo greedy_ratio_entry() {
   return {.name = "greedy_ratio",
-          .summary = "the corridor of greedy_corridor with one step: greedy's alpha tends to the number asked for",
+          .summary = "the corridor of greedy_corridor with one step: greedy's alpha tends to the parameter alpha",
           .source = "made for this project, after Levcopoulos, IPL 25 (1987)",
           .stresses = "greedy (claim C4: every alpha in 1.1-1.5 occurs, on inputs built for it)",
           .law = "alpha of greedy tends to the parameter alpha from below; optimum by two_chains",

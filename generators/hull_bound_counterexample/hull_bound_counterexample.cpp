@@ -5,7 +5,7 @@ namespace mwt {
 GeneratorInfo hull_bound_counterexample_entry() {
   return {.name = "hull_bound_counterexample",
           .summary = "convex 12-gon and an inner point that makes the optimum lighter than the hull's own",
-          .source = "found for this project against the report's section 5.2.4",
+          .source = "found for this project against the source report's section 5.2.4",
           .stresses = "claim C7: w(T0) <= w(T*) is false here",
           .law = "lightest triangulation of the 12-gon 848.848; with the inner point at most 846.822",
           .min_n = 13,

@@ -4,7 +4,7 @@ namespace mwt {
 
 GeneratorInfo local_search_figure_entry() {
   return {.name = "local_search_figure",
-          .summary = "ten points recovered from the triangle perimeters of the report's local search example",
+          .summary = "ten points recovered from the triangle perimeters of the source report's local search example",
           .source = "the source report, section 5.3.1; coordinates recovered from its 15 printed perimeters",
           .stresses = "claim C9: flips 0-8 -> 2-5 and 5-8 -> 2-3, perimeter sums 11.0751, 10.9347, 10.7929",
           .law = "none known",

@@ -15,7 +15,7 @@ TEST(LocalSearchFigure, points_are_the_recorded_ones) {
   EXPECT_EQ(golden_hash("local_search_figure", 10, 1), "a011ee97487f67f0fbd141a6bb739c64");
 }
 
-// The report's first state with the perimeters that it prints (section 5.3.1).
+// The source report's first state with the perimeters that it prints (section 5.3.1).
 TEST(LocalSearchFigure, triangles_have_the_printed_perimeters) {
   struct Printed {
     std::array<std::size_t, 3> triangle;

@@ -4,7 +4,7 @@ namespace mwt {
 
 GeneratorInfo report_example_entry() {
   return {.name = "report_example",
-          .summary = "the ten points A .. J of the report's worked examples",
+          .summary = "the ten points A .. J of the source report's worked examples",
           .source = "the source report, sections 5.1.3 and 5.2.3",
           .stresses = "claims C1 and C2: greedy's and hull insertion's listed triangles",
           .law = "optimum 70.9585925243; 586 triangulations; greedy and Delaunay reach it, insertion has alpha 1.21965",

@@ -26,7 +26,7 @@ GeneratorInfo uniform_entry() {
       .name = "uniform",
       .summary = "independent points, uniform in the unit square",
       .source = "the standard random model; Steele, Annals of Probability 10 (1982), for its optimum",
-      .stresses = "the report's claims C4, C6 and C10 on ordinary input",
+      .stresses = "the source report's claims C4, C6 and C10 on ordinary input",
       .law =
           "w(T*) grows like sqrt n; alpha of greedy stays below 1.03, of insertion grows like n^0.22, of the sweep "
           "like "

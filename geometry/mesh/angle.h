@@ -8,7 +8,7 @@
 namespace mwt {
 
 /// The complex number whose argument is an angle and whose modulus is the product of the sides that span it. Rounded:
-/// errs by less than 1e-15 of its size(), as long as that is a trusted product (geometry/trusted_range.h).
+/// errs by less than 1e-15 of its size(), as long as that is a trusted product (geometry/numbers/trusted_range.h).
 struct Angle {
   double real = 0;
   double imaginary = 0;

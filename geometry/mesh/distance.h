@@ -17,7 +17,7 @@ namespace mwt {
 }
 
 /// The squared distance by the plain formula: relative error below 4.5e-16 where it is a trusted product
-/// (geometry/trusted_range.h).
+/// (geometry/numbers/trusted_range.h).
 [[nodiscard]] inline double rounded_squared_distance(const Point& p, const Point& q) {
   const double dx = p.x - q.x, dy = p.y - q.y;
   return dx * dx + dy * dy;

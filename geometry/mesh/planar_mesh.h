@@ -39,7 +39,7 @@ inline constexpr std::uint32_t kLastingMarks = 0xFFFF0000;
 /// Points are renumbered along a space-filling curve and edges along the points, so that what is near in the plane is
 /// near in memory; label() leads back to the caller's numbers. The outer face is linked like a triangle's, clockwise
 /// around the hull, so that rotating about a vertex needs no special case; its edges carry kHullMark.
-/// Coordinates of extreme size are divided by a power of two (geometry/scaling.h): unit() leads back.
+/// Coordinates of extreme size are divided by a power of two (geometry/numbers/scaling.h): unit() leads back.
 ///
 /// Properties, kept by every member:
 ///   (1) faces left of halfedges are counter-clockwise triangles, except the outer one;

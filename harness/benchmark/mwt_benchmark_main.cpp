@@ -29,6 +29,7 @@
 #include "harness/io/exit_code.h"
 #include "harness/io/standard_streams.h"
 #include "harness/run/machine/build_info.h"
+#include "harness/run/max_workers.h"
 
 namespace mwt {
 
@@ -57,7 +58,7 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
   Context context;
   context.parameters = cell.request.parameters;
   context.threads = threads;
-  const std::uint64_t every = 1 + state.max_iterations / TimeOverDelaunay::kDelaunayTimes;
+  const std::uint64_t every = 1 + static_cast<std::uint64_t>(state.max_iterations) / TimeOverDelaunay::kDelaunayTimes;
   std::optional<StopReason> stop_reason;
   std::uint64_t iteration = 0;
   for (auto _ : state) {

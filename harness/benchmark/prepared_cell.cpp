@@ -69,6 +69,11 @@ void verify(const Catalogue& catalogue, PreparedCell& cell, const std::string& l
   const Points points = cell.instance.set.points;
   const AlgorithmInfo& algorithm = *cell.request.algorithm;
   cell.run = judged(algorithm, points, execute_once(cell.request, points));
+  if (cell.run.status == RunStatus::invalid_output) {
+    cell.reason_to_skip = "invalid output: " + cell.run.message;
+    return;
+  }
+  if (is_disproved(cell.run)) report_contradiction(label, cell.run.message);
   if (OptimumClaims* claims = cheap_optimum(catalogue, cell.instance, label)) {
     for (const Disproof& disproof : add_run(*claims, "run", algorithm.name, cell.run)) {
       report_contradiction(label, disproof.text());
@@ -76,8 +81,7 @@ void verify(const Catalogue& catalogue, PreparedCell& cell, const std::string& l
     }
     rate(cell.run, claims->bounds());
   }
-  if (cell.run.status == RunStatus::ok) return;
-  cell.reason_to_skip = (cell.run.status == RunStatus::invalid_output ? "invalid output: " : "") + cell.run.message;
+  cell.reason_to_skip = cell.run.message;  // empty unless its bound is disproved
 }
 
 }  // namespace

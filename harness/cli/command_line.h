@@ -18,9 +18,6 @@ class App;
 
 namespace mwt {
 
-/// The most threads or processes that an option may ask for.
-inline constexpr int kMaxWorkers = 1024;
-
 /// Declares what a command takes. Every `value` gets its value when the command line is parsed, before Command::run,
 /// and keeps its default if the option is not given.
 class CommandOptions {
@@ -38,7 +35,7 @@ class CommandOptions {
   void required(const std::string& name, std::string& value, const std::string& help);
   void option(const std::string& name, std::optional<std::string>& value, const std::string& help);
 
-  /// Numbers, all read by geometry/given_number.h: decimal, and within a range or an InputError. The first two have the
+  /// Numbers, all read by base/given_number.h: decimal, and within a range or an InputError. The first two have the
   /// whole range of their type; `positive` is from 1 to `most`, or from 1e-9 to 1e9.
   void option(const std::string& name, std::uint64_t& value, const std::string& help);
   void option(const std::string& name, std::optional<Index>& value, const std::string& help);

@@ -56,7 +56,7 @@ TEST_F(Commands, NumbersOutOfRangeAreMistakes) {
                                           "compare --repetitions"};
   const std::vector<std::string> real = {"solve p.txt --algorithm delaunay --time-limit",
                                          "hunt --algorithm greedy --n 8 --budget", "compare --threshold",
-                                         "history changes --least-change"};
+                                         "history changes --min-change"};
   const auto refused = [&](const std::string& command, const std::string& value) {
     const std::string option = command.substr(command.rfind(' ') + 1);
     expect_mistake(command + " '" + value + "'", option + " '" + value + "' is ");

@@ -116,7 +116,7 @@ int run(const Options& options) {
   if (options.json && options.markdown) throw InputError("give --json or --markdown, not both");
   if (!options.build_a && !options.build_b) return tell(compare_folders(options), options);
   if (!options.build_a || !options.build_b) throw InputError("--build-a and --build-b belong together");
-  if (!options.study) throw InputError("give --study: what the two builds are to run");
+  if (!options.study) throw InputError("give --study: the study that the two builds run");
   return options.folders.empty() ? compare_builds(options) : compare_and_settle(options);
 }
 
@@ -127,20 +127,19 @@ Command compare_command() {
   const auto declare = [options](CommandOptions& declared) {
     declared.optional_arguments("dir", options->folders, "BASE NEW: two folders of results");
     declared.option("--build-a", options->build_a,
-                    "run two builds in turn; this one's folder is the base. With BASE NEW: only what they leave open");
-    declared.option("--build-b", options->build_b, "the new build's folder");
-    declared.option("--study", options->study, "with builds: the study that they run");
-    declared.repeated("--algorithm", options->algorithms, "with builds: only this one of the study's algorithms");
+                    "folder of the base build; runs both builds in turn. With BASE NEW: only what these leave open");
+    declared.option("--build-b", options->build_b, "folder of the new build");
+    declared.option("--study", options->study, "with builds: the study to run");
+    declared.repeated("--algorithm", options->algorithms,
+                      "with builds: run only this algorithm of the study; may be repeated");
     declared.option("--out", options->folder,
                     "with builds: folder for the results; results/compare-STUDY if not given");
-    declared.positive(
-        "--repetitions", options->repetitions,
-        "with builds: pairs of runs of every cell; with BASE NEW up to three times as many of what is unclear");
-    declared.positive("--budget", options->budget_s, "with builds: seconds after which no repetition begins");
-    declared.option("--seed", options->seed, "with builds: of the random order");
-    declared.positive("--threshold", options->threshold,
-                      "smaller differences count for nothing, in percent; 5 if not given");
-    declared.option("--measure", options->measure, "relative_time, wall_time_s or cpu_time_s");
+    declared.positive("--repetitions", options->repetitions,
+                      "with builds: pairs of runs per cell; with BASE NEW up to three times as many for unclear cells");
+    declared.positive("--budget", options->budget_s, "with builds: start no repetition after this many seconds");
+    declared.option("--seed", options->seed, "with builds: seed of the random order");
+    declared.positive("--threshold", options->threshold, "smallest difference that counts, in percent; 5 if not given");
+    declared.option("--measure", options->measure, "time to compare: relative_time, wall_time_s or cpu_time_s");
     declared.flag("--paired", options->paired, "the folders come from --build-a and --build-b");
     declared.flag("--force", options->force, "compare times of different machines and of identical binaries, too");
     declared.flag("--json", options->json, "print one JSON object");

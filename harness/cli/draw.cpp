@@ -104,8 +104,9 @@ Command draw_command() {
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("points", options->points, "point file; - for stdin");
     declared.argument("triangles", options->triangles, "triangle file: three positions in the point file per line");
-    declared.optional_argument("other", options->other,
-                               "another triangle file, to compare with: drawn underneath, what it lacks in orange");
+    declared.optional_argument(
+        "other", options->other,
+        "another triangle file to compare with, drawn underneath; edges that it lacks are orange");
     declared.required("-o,--output", options->output, "picture to write (.svg); - for stdout");
     declared.flag("--labels", options->labels, "number the points even if they are more than 50");
     declared.positive("--width", options->width_px, "of the picture in pixels");

@@ -18,7 +18,7 @@ struct Options {
 };
 
 Index number_of_points(const GeneratorInfo& family, const std::optional<Index>& n) {
-  if (!n && family.fixed_n == 0) throw InputError(family.name + " comes in many sizes; give --n");
+  if (!n && family.fixed_n == 0) throw InputError(family.name + " has many sizes; give --n");
   return n.value_or(family.fixed_n);
 }
 

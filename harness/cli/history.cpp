@@ -25,7 +25,7 @@ struct Options {
 
 std::string changes_text(const std::vector<NightlyRun>& nightly_runs, const std::vector<Change>& changes) {
   if (changes.empty())
-    return "nothing has changed for good; nightly runs in the history: " + std::to_string(nightly_runs.size()) + '\n';
+    return "no lasting change; nightly runs in the history: " + std::to_string(nightly_runs.size()) + '\n';
   std::string text;
   for (const Change& change : changes) text += describe(change, nightly_runs) + '\n';
   return text;
@@ -65,16 +65,17 @@ int history(const Options& options) {
 Command history_command() {
   const auto options = std::make_shared<Options>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("action", options->action,
-                      "export: all values; changes: what stepped, when, by how much; series: both, for a dashboard");
+    declared.argument(
+        "action", options->action,
+        "export: all values; changes: which measures changed, when, by how much; series: both, for a dashboard");
     declared.option("--history", options->history, kHistoryHelp);
     declared.option("-o,--output", options->output, "write to this file instead of standard output");
-    declared.flag("--csv", options->csv, "of export: comma-separated, one row per nightly run, cell and measure");
-    declared.flag("--json", options->json, "of changes and series: JSON");
-    declared.positive("--least-change", options->min_change,
-                      "of changes: smaller steps of times and memory are not reported, in percent; 3 if not given");
+    declared.flag("--csv", options->csv, "with export: CSV, one row per nightly run, cell and measure");
+    declared.flag("--json", options->json, "with changes and series: print JSON");
+    declared.positive("--min-change", options->min_change,
+                      "with changes: smallest step of times and memory to report, in percent; 3 if not given");
   };
-  return {"history", "Look into the history: export it, find what changed", declare,
+  return {"history", "Export the history, or find what changed in it", declare,
           [options] { return history(*options); }};
 }
 

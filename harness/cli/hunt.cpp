@@ -11,6 +11,7 @@
 #include "harness/io/output_file.h"
 #include "harness/io/text/text.h"
 #include "harness/run/catalogue.h"
+#include "harness/run/max_workers.h"
 #include "harness/run/start_triangulation.h"
 
 namespace mwt {
@@ -125,22 +126,22 @@ int run_hunt(const Options& options) {
 Command hunt_command() {
   const auto options = std::make_shared<Options>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.required("--algorithm", options->algorithm, "name of the algorithm to find bad inputs for");
+    declared.required("--algorithm", options->algorithm, "name of the algorithm");
     declared.option("--n", options->n, "number of points, at least 4");
     declared.repeated("--param", options->parameters, "a parameter of the algorithm, k=v; may be repeated");
-    declared.positive("--budget", options->budget_s, "seconds; 60 if not given");
+    declared.positive("--budget", options->budget_s, "seconds to search; 60 if not given");
     declared.option("--evaluations", options->evaluations,
-                    "stop after so many per thread, 0: no limit; repeatable then");
+                    "stop after so many evaluations per thread, which makes the result repeatable; 0: no limit");
     declared.option("--seed", options->seed, "seed of the search");
-    declared.positive("--threads", options->threads, "climbers side by side, each with its own random numbers",
+    declared.positive("--threads", options->threads, "parallel searches, each with its own random numbers",
                       kMaxWorkers);
     declared.option("--solver", options->solver,
-                    "exact algorithm for the optimum; the fastest for that n if not given");
+                    "exact algorithm for the optimum; the fastest for this n if not given");
     declared.option("-o,--output", options->output,
-                    "point file (.txt, .xy) for the worst instance; its state goes beside it");
-    declared.flag("--resume", options->resume, "continue the hunt whose state stands beside the output file");
+                    "point file (.txt, .xy) for the worst instance; the state of the hunt is written beside it");
+    declared.flag("--resume", options->resume, "continue the hunt whose state is beside the output file");
   };
-  return {"hunt", "Search for inputs on which an algorithm does badly", declare,
+  return {"hunt", "Search for inputs on which an algorithm has a large alpha", declare,
           [options] { return run_hunt(*options); }};
 }
 

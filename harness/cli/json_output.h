@@ -1,4 +1,4 @@
-// JSON for scripts: the harness's only door to nlohmann-json.
+// JSON for scripts.
 #pragma once
 
 #include <map>

@@ -80,9 +80,9 @@ Command list_command() {
   const auto options = std::make_shared<Options>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("kind", options->kind, "algorithms, generators or studies");
-    declared.flag("--json", options->json, "print JSON with everything that is known about each");
+    declared.flag("--json", options->json, "print JSON with all details");
   };
-  return {"list", "Show the algorithms, the families of instances, or the studies", declare,
+  return {"list", "List the algorithms, the families of instances, or the studies", declare,
           [options] { return list(*options); }};
 }
 

@@ -50,10 +50,10 @@ Command report_command() {
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("folder", options->folder, "results folder of a study (mwt run)");
     declared.option("--tables", options->tables,
-                    "file for the tables, instead of printing them (often 1000s of lines)");
+                    "write the tables to this file instead of printing them (often thousands of lines)");
   };
-  return {"report", "Tables of time, alpha and growth from the records of a study; also as CSV", declare,
-          [options] { return report(*options); }};
+  return {"report", "Print tables of time, alpha and growth from the records of a study, and write them as CSV",
+          declare, [options] { return report(*options); }};
 }
 
 }  // namespace mwt

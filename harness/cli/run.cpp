@@ -11,6 +11,7 @@
 #include "harness/report/failures.h"
 #include "harness/report/tables.h"
 #include "harness/run/catalogue.h"
+#include "harness/run/max_workers.h"
 #include "harness/study/estimate/dry_run.h"
 #include "harness/study/run_study.h"
 
@@ -83,17 +84,18 @@ Command run_command() {
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("study", options->study, "name of a study (mwt list studies) or path of a study file");
     declared.option("--out", options->folder, "folder for the records; results/STUDY if not given");
-    declared.flag("--dry-run", options->dry_run, "only say what would be run, and how long it may take");
+    declared.flag("--dry-run", options->dry_run, "print what would run and an estimate of the time");
     declared.flag("--resume", options->resume, "continue in a folder that has records: run only what is missing");
-    declared.positive("--jobs", options->jobs, "runs side by side; more than one disturbs the times", kMaxWorkers);
-    declared.flag("--quiet", options->quiet, "no table of alphas at the end; progress, warnings and failures only");
-    declared.flag("--no-cache", options->no_cache, "seek every optimum anew; leave the optimum cache alone");
-    declared.option("--shard", options->shard, "i/N: only the i-th of N parts; mwt merge joins them");
+    declared.positive("--jobs", options->jobs, "runs side by side; more than one distorts the times", kMaxWorkers);
+    declared.flag("--quiet", options->quiet,
+                  "print progress, warnings and failures only, no table of alphas at the end");
+    declared.flag("--no-cache", options->no_cache, "seek every optimum anew; neither read nor write the optimum cache");
+    declared.option("--shard", options->shard, "i/N: run only the i-th of N parts; mwt merge joins them");
     declared.option("--instances", options->instances, "folder of the study's point files, instead of the study's own");
     declared.flag("--accept-other-build", options->accept_other_build,
                   "with --resume: continue although the records come from another build of mwt");
   };
-  return {"run", "Run a study: every run isolated, checked and recorded", declare, [options] { return run(*options); }};
+  return {"run", "Run a study: isolate, check and record every run", declare, [options] { return run(*options); }};
 }
 
 }  // namespace mwt

@@ -21,6 +21,7 @@
 #include "harness/rating/rated_run.h"
 #include "harness/run/catalogue.h"
 #include "harness/run/execution.h"
+#include "harness/run/max_workers.h"
 #include "harness/run/start_triangulation.h"
 
 namespace mwt {
@@ -89,7 +90,7 @@ std::optional<CachedOptimum> cached_of(OptimumCache& cache, const Instance& inst
   std::optional<CachedOptimum> earlier = cache.find(key);
   if (!earlier || earlier->interval.lower <= weight.upper) return earlier;
   const OptimumClaim claim{"", cached_claimant(key.solver), earlier->interval};
-  warn(Disproof{claim, "this solution", weight.upper}.text() + "; it is thrown out of the cache");
+  warn(Disproof{claim, "this solution", weight.upper}.text() + "; it is removed from the cache");
   static_cast<void>(cache.discard_disproved(instance.id, weight.upper));
   return std::nullopt;
 }
@@ -228,13 +229,13 @@ void declare(CommandOptions& declared, Options& options) {
   declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
   declared.positive("--threads", options.threads, "threads that the algorithm may use", kMaxWorkers);
   declared.positive("--time-limit", options.time_limit_s, "return the best result found within this many seconds");
-  declared.flag("--with-optimum", options.with_optimum, "also look for the proved optimum, to compute alpha");
-  declared.flag("--no-cache", options.no_cache, "seek that optimum anew; leave the optimum cache alone");
+  declared.flag("--with-optimum", options.with_optimum, "also seek the proved optimum and compute alpha");
+  declared.flag("--no-cache", options.no_cache, "seek that optimum anew; neither read nor write the optimum cache");
   declared.flag("--json", options.json, "print one JSON object");
   declared.option(
       "--triangles", options.triangles,
       "write the triangles (a,b,c per line; positions in the point file); with - for this or the next two, the "
-      "report goes to standard error");
+      "summary goes to standard error");
   declared.option("--edges", options.edges, "write the edges (a,b per line)");
   declared.option("--svg", options.svg, "write a picture (.svg)");
 }

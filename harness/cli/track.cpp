@@ -19,10 +19,10 @@ struct Options {
 std::string word_for(History::Added added) {
   switch (added) {
     case History::Added::as_new: return "added";
-    case History::Added::as_another: return "added beside older ones: the study's file or the program is another";
-    case History::Added::unchanged: return "known already";
-    case History::Added::replaced: return "in place of older ones";
-    case History::Added::outdated: return "left out: newer ones are known";
+    case History::Added::as_another: return "added beside older ones: the study file or the program differs";
+    case History::Added::unchanged: return "already in the history";
+    case History::Added::replaced: return "replace older ones";
+    case History::Added::outdated: return "left out: the history has newer ones";
   }
   return "";
 }

@@ -159,10 +159,10 @@ TEST_F(TrackingCommands, TrackIsIdempotentAndExportsEverything) {
   EXPECT_NE(mwt("track n1 n0").output.find("values added"), std::string::npos);
   const CommandResult again = mwt("track n1");
   EXPECT_EQ(again.exit_code, 0) << again.errors;
-  EXPECT_NE(again.output.find("values known already"), std::string::npos) << again.output;
+  EXPECT_NE(again.output.find("values already in the history"), std::string::npos) << again.output;
   EXPECT_TRUE(exists("results/history.sqlite"));
 
-  EXPECT_EQ(mwt("history changes").output, "nothing has changed for good; nightly runs in the history: 2\n");
+  EXPECT_EQ(mwt("history changes").output, "no lasting change; nightly runs in the history: 2\n");
   const CommandResult exported = mwt("history export --csv");
   const std::vector<CsvRow> rows = parse_csv(exported.output);
   const std::size_t cells = 6 * 2 * 2 * 2, measures = 7;

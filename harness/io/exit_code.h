@@ -6,9 +6,9 @@ namespace mwt {
 /// How a run of the program ends; scripts rely on these.
 enum ExitCode : int {
   kExitOk = 0,
-  kExitNegative = 1,     ///< the answer is no: an invalid triangulation, a regression, a study with runs that failed
-  kExitUserMistake = 2,  ///< one line on standard error says what and how to mend it
-  kExitFailure = 3,      ///< of this program: an algorithm's invalid output, an exception nobody expected
+  kExitNegative = 1,     ///< an invalid triangulation, a regression, or a study with failed runs
+  kExitUserMistake = 2,  ///< one line on standard error states the mistake and the remedy
+  kExitFailure = 3,      ///< a fault of this program: an algorithm's invalid output, an unexpected exception
   kExitInterrupted = 130,
 };
 

@@ -19,6 +19,11 @@ constexpr std::size_t kTerminalWidth = 79;  // a line that wraps could not be re
 Progress::Progress(std::ostream& out, bool is_terminal, std::string title, std::size_t total)
     : out_(out), is_terminal_(is_terminal), title_(std::move(title)), total_(total) {}
 
+void Progress::expect(std::size_t more) {
+  total_ += more;
+  if (more > 0) is_finished_ = false;
+}
+
 void Progress::advance(bool failed, const std::string& what) {
   ++done_;
   if (failed) ++failed_;

@@ -14,6 +14,9 @@ class Progress {
  public:
   Progress(std::ostream& out, bool is_terminal, std::string title, std::size_t total);
 
+  /// So many pieces more are to be done.
+  void expect(std::size_t more);
+
   /// One piece is done; `what` names it.
   void advance(bool failed, const std::string& what);
 

@@ -17,6 +17,20 @@ TEST(Progress, PlainOutputEndsWithOneLineOfTheWhole) {
   EXPECT_EQ(out.str().find('\n'), out.str().size() - 1);
 }
 
+TEST(Progress, MoreWorkMayTurnUp) {
+  std::ostringstream out;
+  Progress progress(out, false, "steps", 0);
+  progress.expect(1);
+  progress.advance(false, "a");
+  EXPECT_TRUE(out.str().starts_with("steps 1/1, 0 failed, took ")) << out.str();
+  out.str("");
+  progress.expect(2);
+  progress.advance(false, "b");
+  EXPECT_EQ(out.str(), "") << "the end has not come";
+  progress.advance(false, "c");
+  EXPECT_TRUE(out.str().starts_with("steps 3/3, 0 failed, took ")) << out.str();
+}
+
 TEST(Progress, AnnouncementsAreLinesOfTheirOwn) {
   std::ostringstream out;
   Progress progress(out, true, "runs", 2);

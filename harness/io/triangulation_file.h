@@ -1,9 +1,9 @@
 // Reading and writing triangle lists and edge lists: CSV with the header "a,b,c" or "a,b".
 //
-// Corners are 0-based positions in the point file. Readers take the same texts as for points (geometry/text_table.h),
-// also without a header. Further columns, such as a triangle's perimeter, are ignored when a header names them. If the
-// header names none of a, b (and c), the first columns are taken, unless they are called id or the like; if it names
-// some of them only, it is refused.
+// Corners are 0-based positions in the point file. Readers take the same texts as for points
+// (harness/io/text/text_table.h), also without a header. Further columns, such as a triangle's perimeter, are ignored
+// when a header names them. If the header names none of a, b (and c), the first columns are taken, unless they are
+// called id or the like; if it names some of them only, it is refused.
 #pragma once
 
 #include <span>

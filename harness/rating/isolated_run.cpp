@@ -62,7 +62,12 @@ RatedRun run_here(const Request& request, Points points, const Timing& timing, d
     const Execution execution = execute_repeatedly(request, points, timing.min_time_s);
     if (execution.wall_time_s > kill_after_s) return failed(RunStatus::timeout, "ended after its limit and grace");
     RatedRun run = judged(*request.algorithm, points, execution);
-    if (timing.delaunay_time && run.checker == "ok") run.delaunay_time_s = delaunay_time_s(points);
+    if (run.status == RunStatus::invalid_output) {  // a failed run has no measures
+      RatedRun bare = failed(run.status, run.message);
+      bare.checker = run.checker;
+      return bare;
+    }
+    if (timing.delaunay_time && run.status == RunStatus::ok) run.delaunay_time_s = delaunay_time_s(points);
     return run;
   } catch (const NotApplicable& reason) {
     return failed(RunStatus::not_applicable, reason.what());
@@ -87,9 +92,9 @@ RatedRun run_after(const ProcessResult& process) {
 
 }  // namespace
 
-void start_isolated_run(ProcessPool& pool, const Request& request, std::shared_ptr<const Instance> instance,
-                        const RunLimits& limits, const Timing& timing, std::function<void(RatedRun)> when_done) {
-  const Points points = instance->set.points;
+void start_isolated_run(ProcessPool& pool, const Request& request, const Instance& instance, const RunLimits& limits,
+                        const Timing& timing, std::function<void(RatedRun)> when_done) {
+  const Points points = instance.set.points;
   const auto work = [&] { return encode(run_here(request, points, timing, limits.time_s + limits.grace_s)); };
   const ProcessLimits process = process_limits(limits, timing, static_cast<Index>(points.size()), request.threads);
   pool.start(work, process,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include "harness/rating/rated_run.h"
 #include "harness/run/execution.h"
@@ -24,11 +23,12 @@ struct Timing {
 };
 
 /// Starts the run in `pool`. `when_done` gets it judged, not rated: from the worker, or with the status that follows
-/// from how the process ended; an exception of the algorithm is a status, too. Precondition: the pool is not full.
+/// from how the process ended; an exception of the algorithm is a status, too. The process
+/// has its own copy of the instance. Precondition: the pool is not full.
 ///
 /// The process is killed at time_s + grace_s, plus an allowance for checking the result and for the
 /// Delaunay time that grows with n. An execution longer than time_s + grace_s is a timeout although it has ended.
-void start_isolated_run(ProcessPool& pool, const Request& request, std::shared_ptr<const Instance> instance,
-                        const RunLimits& limits, const Timing& timing, std::function<void(RatedRun)> when_done);
+void start_isolated_run(ProcessPool& pool, const Request& request, const Instance& instance, const RunLimits& limits,
+                        const Timing& timing, std::function<void(RatedRun)> when_done);
 
 }  // namespace mwt

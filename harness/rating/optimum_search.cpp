@@ -130,7 +130,7 @@ struct IsolatedSearch : std::enable_shared_from_this<IsolatedSearch> {
       return;
     }
     const Timing once{1e-9, false};
-    start_isolated_run(pool, request_for(*source, limits.time_s), instance, limits, once,
+    start_isolated_run(pool, request_for(*source, limits.time_s), *instance, limits, once,
                        [self = shared_from_this(), source](const RatedRun& run) {
                          self->search.add(*source, run);
                          self->run_next_source();

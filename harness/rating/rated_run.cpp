@@ -50,7 +50,6 @@ void fill_in_solution(RatedRun& run, const Solution& solution, const Judgement& 
   run.weight_lower = judgement.weight.lower;
   run.weight_upper = judgement.weight.upper;
   run.perimeter_sum = judgement.perimeter_sum.middle();
-  run.triangles = judgement.triangles;
   run.edges = judgement.edges;
   run.stopped_early = solution.stopped_early();
   run.stop_reason = solution.stop_reason;
@@ -76,13 +75,14 @@ RatedRun judged(const AlgorithmInfo& algorithm, Points points, const Execution& 
   const Solution& solution = execution.solution;
   const Judgement judgement = judge(points, solution.triangulation);
   RatedRun run;
+  fill_in_costs(run, execution);
+  run.triangles = solution.triangulation.triangles.size();
   run.checker = judgement.violation.value_or("ok");
   if (judgement.violation) {
     fail(run, RunStatus::invalid_output, *judgement.violation);
     return run;
   }
   run.status = RunStatus::ok;
-  fill_in_costs(run, execution);
   fill_in_solution(run, solution, judgement);
   const WitnessedOptimum optimum = witnessed_optimum(solution.optimum, judgement.weight);
   if (optimum.contradiction) {

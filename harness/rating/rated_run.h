@@ -54,7 +54,8 @@ struct RatedRun {
 };
 
 /// What an execution of `algorithm` cost and returned: the checker's verdict, the certified weight, and the lower bound
-/// on the optimum, if the solution has one. The status is ok, invalid_output, or error if the solution's own
+/// on the optimum, if the solution has one. The status is ok, invalid_output (then there are only
+/// costs and the number of triangles), or error if the solution's own
 /// triangulation disproves its bound. No rating yet.
 [[nodiscard]] RatedRun judged(const AlgorithmInfo& algorithm, Points points, const Execution& execution);
 

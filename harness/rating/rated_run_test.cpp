@@ -38,11 +38,14 @@ TEST(RatedRun, IsJudgedByCheckerAndCertifiedSums) {
   EXPECT_FALSE(run.alpha_upper);
 }
 
-TEST(RatedRun, WhatIsNoTriangulationHasNoMeasures) {
+TEST(RatedRun, WhatIsNoTriangulationHasCostsButNoWeight) {
   const RatedRun run = judged_run(execution_of({{0, 2, 1}}));
   EXPECT_EQ(run.status, RunStatus::invalid_output);
   EXPECT_EQ(run.message, run.checker);
   EXPECT_FALSE(run.weight_upper);
+  EXPECT_FALSE(run.edges);
+  EXPECT_EQ(run.triangles, 1u);
+  EXPECT_TRUE(run.wall_time_s);
 }
 
 TEST(RatedRun, ABoundAboveTheOwnTriangulationIsAnError) {

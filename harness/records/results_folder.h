@@ -48,7 +48,7 @@ class ResultsFolder {
   void replace(const InstanceRecord& record);
 
   /// Replaces the instance's rows so that no claim stands in them that its triangulations disprove, and all its runs
-  /// are rated by what does (known_optima.h).
+  /// are rated by what does (records/known_optima.h).
   void settle(const std::string& instance_id);
 
   /// All records, those of earlier invocations first.

@@ -44,11 +44,11 @@ void print_algorithms(const ReportData& data, std::ostream& out) {
 }
 
 void write_summary(const ReportData& data, std::ostream& out) {
-  write(data, "summary.csv", summary_csv(data.records.runs.front().study, data.summaries), out);
+  write(data, "summary.csv", summary_csv(data.records.runs.front().study, data.summaries, data.labels), out);
 }
 
 void write_exponents(const ReportData& data, std::ostream& out) {
-  write(data, "exponents.csv", exponents_csv(data.records.runs.front().study, data.growth), out);
+  write(data, "exponents.csv", exponents_csv(data.records.runs.front().study, data.growth, data.labels), out);
 }
 
 void write_ratings(const ReportData& data, std::ostream& out) {

@@ -184,6 +184,26 @@ TEST(Labels, ParametersAreNamedOnlyWhereTheyDiffer) {
   EXPECT_EQ(Labels(cells_of(runs)).algorithm(first), "patch k=1");
 }
 
+TEST(Labels, TheUsualConfigurationKeepsTheBareName) {
+  std::vector<RunRecord> runs(3, ok_run("flip", 10, 1, 1, 1));
+  runs[0].params = runs[1].params = "order=a start=x";
+  runs[2].params = "order=a start=y";
+  const std::vector<Cell> cells = cells_of(runs);
+  EXPECT_EQ(Labels(cells).algorithm(cells[0].key), "flip");
+  EXPECT_EQ(Labels(cells).algorithm(cells[1].key), "flip start=y");
+  const CsvRow row = parse_csv(summary_csv("s", summarise(cells), Labels(cells))).back();
+  EXPECT_EQ((CsvRow{row.end() - 2, row.end()}), (CsvRow{"flip start=y", "uniform"}));
+}
+
+TEST(Labels, EquallyUsualConfigurationsAllStateTheirParameters) {
+  std::vector<RunRecord> runs(2, ok_run("patch", 10, 1, 1, 1));
+  runs[0].params = "k=14 m=1";
+  runs[1].params = "k=6 m=1";
+  const std::vector<Cell> cells = cells_of(runs);
+  EXPECT_EQ(Labels(cells).algorithm(cells[0].key), "patch k=14");
+  EXPECT_EQ(Labels(cells).algorithm(cells[1].key), "patch k=6");
+}
+
 TEST(Labels, FilesAreCalledByTheirNames) {
   RunRecord run = ok_run("patch", 52, 1, 1, 1);
   run.generator = "file";
@@ -238,19 +258,19 @@ std::vector<std::string> documented_columns(const std::string& file) {
 }
 
 TEST(SummaryFiles, TheSchemaPageListsExactlyTheColumnsInTheirOrder) {
-  EXPECT_EQ(parse_csv(summary_csv("s", {})).front(), documented_columns("summary.csv"));
-  EXPECT_EQ(parse_csv(exponents_csv("s", {})).front(), documented_columns("exponents.csv"));
+  EXPECT_EQ(parse_csv(summary_csv("s", {}, Labels({}))).front(), documented_columns("summary.csv"));
+  EXPECT_EQ(parse_csv(exponents_csv("s", {}, Labels({}))).front(), documented_columns("exponents.csv"));
   EXPECT_EQ(parse_csv(ratings_csv("s", {})).front(), documented_columns("ratings.csv"));
 }
 
 TEST(SummaryFiles, RowsHaveTheValues) {
   const std::vector<Cell> cells = cells_of(power_law_runs());
-  const std::vector<CsvRow> rows = parse_csv(exponents_csv("s", growth_of(cells)));
+  const std::vector<CsvRow> rows = parse_csv(exponents_csv("s", growth_of(cells), Labels(cells)));
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_EQ(rows[1][4], "sweep");
   EXPECT_EQ(rows[1][6], "wall_time_s");
   EXPECT_EQ(rows[2][6], "alpha");
-  EXPECT_EQ(parse_csv(summary_csv("s", summarise(cells))).size(), 7u);
+  EXPECT_EQ(parse_csv(summary_csv("s", summarise(cells), Labels(cells))).size(), 7u);
   std::vector<RunRecord> runs = {ok_run("sweep", 10, 1, 1, 1.25), failed_run("sweep", RunStatus::timeout)};
   runs.front().run_id = "r";
   const std::vector<CsvRow> ratings = parse_csv(ratings_csv("s", runs));
@@ -374,9 +394,9 @@ TEST(Report, WhatIsNoPowerLawIsSaidSo) {
   const std::vector<SeriesGrowth> growth = growth_of(cells);
   EXPECT_EQ(growth.at(0).time.value().fit(), Fit::no);
   EXPECT_NE(growth_tables(growth, Labels(cells)).find("no, x1."), std::string::npos);
-  const std::vector<CsvRow> rows = parse_csv(exponents_csv("s", growth));
-  EXPECT_EQ(rows[0].back(), "fits");
-  EXPECT_EQ(rows[1].back(), "no");
+  const std::vector<CsvRow> rows = parse_csv(exponents_csv("s", growth, Labels(cells)));
+  EXPECT_EQ(rows[0].end()[-3], "fits");
+  EXPECT_EQ(rows[1].end()[-3], "no");
   for (RunRecord& run : runs) *run.wall_time_s = 1e-6 * std::pow(run.n, 3) * (run.seed % 3 == 0 ? 0.97 : 1.01);
   EXPECT_EQ(growth_of(cells_of(runs)).at(0).time.value().fit(), Fit::yes);
 }

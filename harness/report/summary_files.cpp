@@ -39,6 +39,15 @@ Columns<Row> key_columns(KeyOf key_of) {
           {"params", [=](const Row& row) { return key_of(row).params; }}};
 }
 
+// The last columns: what figures call the algorithm and the family.
+template <class Row, class KeyOf>
+void add_labels(Columns<Row>& columns, const Labels& labels, KeyOf key_of) {
+  columns.emplace_back("label", [&labels, key_of](const Row& row) { return labels.algorithm(key_of(row)); });
+  columns.emplace_back("family", [&labels, key_of](const Row& row) { return labels.family(key_of(row)); });
+}
+
+const CellKey& key_of_cell(const CellSummary& summary) { return summary.cell.key; }
+
 using StatisticOf = std::optional<Statistic> CellSummary::*;
 
 // name, name_lower, name_upper; the ends are empty where there is no interval.
@@ -55,12 +64,12 @@ void add_statistic(Columns<CellSummary>& columns, const std::string& name, Stati
   columns.emplace_back(name + "_upper", end(&Estimate::upper));
 }
 
-Columns<CellSummary> summary_columns() {
+Columns<CellSummary> summary_columns(const Labels& labels) {
   using Row = CellSummary;
   const auto count = [](std::size_t Cell::*member) {
     return [member](const Row& row) { return std::to_string(row.cell.*member); };
   };
-  Columns<Row> columns = key_columns<Row>([](const Row& row) { return row.cell.key; });
+  Columns<Row> columns = key_columns<Row>(key_of_cell);
   columns.emplace_back("n", [](const Row& row) { return std::to_string(row.cell.key.n); });
   columns.emplace_back("runs", count(&Cell::runs));
   columns.emplace_back("failures", count(&Cell::failures));
@@ -80,6 +89,7 @@ Columns<CellSummary> summary_columns() {
                        [](const Row& row) { return row.optimal_range ? number_text(row.optimal_range->lower) : ""; });
   columns.emplace_back("optimal_share_upper",
                        [](const Row& row) { return row.optimal_range ? number_text(row.optimal_range->upper) : ""; });
+  add_labels(columns, labels, key_of_cell);
   return columns;
 }
 
@@ -90,7 +100,9 @@ struct FittedMeasure {
   Growth growth;
 };
 
-Columns<FittedMeasure> growth_columns() {
+const CellKey& key_of_series(const FittedMeasure& fitted) { return fitted.series; }
+
+Columns<FittedMeasure> growth_columns(const Labels& labels) {
   using Row = FittedMeasure;
   const auto count = [](auto Growth::*member) {
     return [member](const Row& row) { return std::to_string(row.growth.*member); };
@@ -101,7 +113,7 @@ Columns<FittedMeasure> growth_columns() {
       return law.has_interval ? number_text(law.exponent.*end) : "";
     };
   };
-  Columns<Row> columns = key_columns<Row>([](const Row& row) { return row.series; });
+  Columns<Row> columns = key_columns<Row>(key_of_series);
   columns.emplace_back("measure", [](const Row& row) { return row.measure; });
   columns.emplace_back("sizes", count(&Growth::sizes));
   columns.emplace_back("observations", count(&Growth::observations));
@@ -118,22 +130,23 @@ Columns<FittedMeasure> growth_columns() {
     const Fit fit = row.growth.fit();
     return fit == Fit::untested ? "" : fit == Fit::yes ? "yes" : "no";
   });
+  add_labels(columns, labels, key_of_series);
   return columns;
 }
 
 }  // namespace
 
-std::string summary_csv(const std::string& study, const std::vector<CellSummary>& cells) {
-  return csv_table(study, summary_columns(), cells);
+std::string summary_csv(const std::string& study, const std::vector<CellSummary>& cells, const Labels& labels) {
+  return csv_table(study, summary_columns(labels), cells);
 }
 
-std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth) {
+std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth, const Labels& labels) {
   std::vector<FittedMeasure> rows;
   for (const SeriesGrowth& series : growth) {
     if (series.time) rows.push_back({series.series, "wall_time_s", *series.time});
     if (series.alpha) rows.push_back({series.series, "alpha", *series.alpha});
   }
-  return csv_table(study, growth_columns(), rows);
+  return csv_table(study, growth_columns(labels), rows);
 }
 
 std::string ratings_csv(const std::string& study, const std::vector<RunRecord>& runs) {

@@ -7,14 +7,17 @@
 
 #include "harness/report/cell_summary.h"
 #include "harness/report/growth.h"
+#include "harness/report/labels.h"
 
 namespace mwt {
 
 /// The content of summary.csv: one row per cell.
-[[nodiscard]] std::string summary_csv(const std::string& study, const std::vector<CellSummary>& cells);
+[[nodiscard]] std::string summary_csv(const std::string& study, const std::vector<CellSummary>& cells,
+                                      const Labels& labels);
 
 /// The content of exponents.csv: one row per series and measure that has a law.
-[[nodiscard]] std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth);
+[[nodiscard]] std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth,
+                                        const Labels& labels);
 
 /// The content of ratings.csv: one row per run that is ok. `runs` are those of the report, rated_by_all_bounds().
 [[nodiscard]] std::string ratings_csv(const std::string& study, const std::vector<RunRecord>& runs);

@@ -5,9 +5,8 @@
 
 namespace mwt {
 
-/// Median seconds of up to seven measure_delaunay_time_s(); fewer, but at least one, once half a second is spent. One
-/// of 10 ms or more counts with its CPU time if that is less: what other programs took is not in it. Preconditions as
-/// there.
+/// Median seconds of up to seven measure_delaunay_time_s(); fewer, but at least one, once half a second is spent.
+/// These are CPU times: what other programs took is not in them. Preconditions as there.
 [[nodiscard]] double delaunay_time_s(Points points);
 
 }  // namespace mwt

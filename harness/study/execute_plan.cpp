@@ -21,9 +21,13 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{200};
 
-// The ids of recorded instances by label: a label stands for the same points whenever a run of it is recorded.
+// The ids of recorded points by label: a label stands for the same points whenever a run of it is recorded. Of points
+// with several labels only one has a row in instances.csv.
 std::map<std::string, std::string> recorded_ids(const ResultsFolder& folder) {
   std::map<std::string, std::string> ids;
+  for (const RunRecord& record : folder.runs()) {
+    if (!record.instance_id.empty()) ids[label_of_instance(record)] = record.instance_id;
+  }
   for (const InstanceRecord& record : folder.instances()) ids[label_of_instance(record)] = record.instance_id;
   return ids;
 }
@@ -50,13 +54,42 @@ class PlanExecution {
   }
 
   void run() {
+    execute(positions_where(
+        [this](std::size_t position) { return !has_optimum_row(position) || !runs_of_[position].empty(); }));
+    if (InterruptWatch::requested()) return;
+    execute(positions_where([this](std::size_t position) {
+      const std::string* const id = recorded_id(position);
+      return id != nullptr && results_.to_seek_again().contains(*id);
+    }));
+  }
+
+ private:
+  struct ReadyRun {
+    const PlannedRun* run;
+    SharedInstance instance;
+  };
+
+  template <class Condition>
+  [[nodiscard]] std::vector<std::size_t> positions_where(const Condition& condition) const {
+    std::vector<std::size_t> positions;
+    for (std::size_t position = 0; position < plan_.instances.size(); ++position) {
+      if (condition(position)) positions.push_back(position);
+    }
+    return positions;
+  }
+
+  // Everything that is missing of the instances at these positions.
+  void execute(const std::vector<std::size_t>& positions) {
+    for (const std::size_t position : positions) {
+      progress_.expect(runs_of_[position].size() + (has_optimum_row(position) ? 0 : 1));
+    }
     for (std::size_t next = 0; wait_for_room();) {
       if (!ready_.empty()) {
         const ReadyRun ready = std::move(ready_.front());
         ready_.pop_front();
         start(ready);
-      } else if (next < plan_.instances.size()) {
-        begin(next++);
+      } else if (next < positions.size()) {
+        begin(positions[next++]);
       } else if (pool_.is_empty()) {
         break;
       } else {
@@ -66,19 +99,16 @@ class PlanExecution {
     while (!pool_.is_empty() && !InterruptWatch::requested()) wait();
   }
 
-  void seek_disproved_again() {
-    for (std::size_t i = 0; i < plan_.instances.size() && wait_for_room(); ++i) {
-      const auto id = recorded_ids_.find(plan_.instances[i].label());
-      if (id != recorded_ids_.end() && results_.to_seek_again().contains(id->second)) seek(i, make(i));
-    }
-    while (!pool_.is_empty() && !InterruptWatch::requested()) wait();
+  // Null as long as no row names the points.
+  [[nodiscard]] const std::string* recorded_id(std::size_t position) const {
+    const auto entry = recorded_ids_.find(plan_.instances[position].label());
+    return entry == recorded_ids_.end() ? nullptr : &entry->second;
   }
 
- private:
-  struct ReadyRun {
-    const PlannedRun* run;
-    SharedInstance instance;
-  };
+  [[nodiscard]] bool has_optimum_row(std::size_t position) const {
+    const std::string* const id = recorded_id(position);
+    return id != nullptr && results_.has_optimum_row(*id);
+  }
 
   void wait() {
     pool_.wait(kPatience);
@@ -105,12 +135,10 @@ class PlanExecution {
     return made;
   }
 
-  // An instance comes into being here, and everything that is missing of it begins.
+  // Makes the instance, and begins everything that is missing of it.
   void begin(std::size_t position) {
-    const PlannedInstance& planned = plan_.instances[position];
-    const auto id = recorded_ids_.find(planned.label());
-    const bool has_optimum_row = id != recorded_ids_.end() && results_.has_optimum_row(id->second);
-    if (has_optimum_row && runs_of_[position].empty()) return;
+    const std::string label = plan_.instances[position].label();
+    const bool is_expected_to_seek = !has_optimum_row(position);
     SharedInstance instance;
     try {
       instance = make(position);
@@ -119,11 +147,11 @@ class PlanExecution {
       return;
     }
     if (results_.has_optimum_row(instance->id)) {
-      if (!has_optimum_row) progress_.advance(false, planned.label());  // the same points under another name
+      if (is_expected_to_seek) progress_.advance(false, label);  // sought for the same points under another label
       make_ready(position, instance);
     } else if (const auto sought = waiting_.find(instance->id); sought != waiting_.end()) {
       sought->second.push_back({position, instance});
-      progress_.advance(false, planned.label());
+      progress_.advance(false, label);
     } else {
       waiting_[instance->id] = {{position, instance}};
       seek(position, instance);
@@ -134,13 +162,13 @@ class PlanExecution {
     const PlannedInstance& planned = plan_.instances[position];
     progress_.announce(planned.label() + ": no instance: " + why);
     progress_.advance(true, planned.label());
-    for (const PlannedRun* run : runs_of_[position]) {
+    for (const PlannedRun* run : std::exchange(runs_of_[position], {})) {
       record_without_running(*run, "", RunStatus::error, "no instance: " + why);
     }
   }
 
   void make_ready(std::size_t position, const SharedInstance& instance) {
-    for (const PlannedRun* run : runs_of_[position]) ready_.push_back({run, instance});
+    for (const PlannedRun* run : std::exchange(runs_of_[position], {})) ready_.push_back({run, instance});
   }
 
   void seek(std::size_t position, const SharedInstance& instance) {
@@ -184,7 +212,7 @@ class PlanExecution {
       return;
     }
     const Timing timing{context_.study.min_time_s, context_.study.measures_delaunay_time};
-    start_isolated_run(pool_, request, ready.instance, context_.study.limits, timing,
+    start_isolated_run(pool_, request, *ready.instance, context_.study.limits, timing,
                        [this, &run, instance_id](RatedRun ended) { record(run, instance_id, std::move(ended)); });
   }
 
@@ -211,11 +239,14 @@ class PlanExecution {
   void record(const PlannedRun& planned, const std::string& instance_id, RatedRun run) {
     const PlannedInstance& instance = plan_.instances[planned.instance];
     RunRecord row = row_of(context_, instance, instance_id, planned, std::move(run));
-    const bool is_exact = planned.algorithm->exactness == Exactness::exact;
-    const OptimumKey key = optimum_key(instance_id, *planned.algorithm, planned.parameters);
-    if (is_exact) results_.compare_with_cache(row, key);
-    row = results_.add(std::move(row));
-    if (is_exact) results_.keep_in_cache(row, key);
+    if (planned.algorithm->exactness == Exactness::exact) {
+      const OptimumKey key = optimum_key(instance_id, *planned.algorithm, planned.parameters);
+      results_.compare_with_cache(row, key);
+      row = results_.add(std::move(row));
+      results_.keep_in_cache(row, key);
+    } else {
+      row = results_.add(std::move(row));
+    }
     progress_.advance(is_failure(row.status), row.algorithm + " on " + instance.label());
   }
 
@@ -225,8 +256,8 @@ class PlanExecution {
   OptimumCache* cache_;
   Progress& progress_;
   StudyResults& results_;
-  std::map<std::string, std::string> recorded_ids_;      // of instances, by label
-  std::vector<std::vector<const PlannedRun*>> runs_of_;  // those without a row, by instance
+  std::map<std::string, std::string> recorded_ids_;      // of points, by label
+  std::vector<std::vector<const PlannedRun*>> runs_of_;  // those neither recorded nor begun, by instance
   std::deque<ReadyRun> ready_;
   // Positions in the plan whose runs begin when the optimum of their common points has been sought, by instance id.
   std::map<std::string, std::vector<std::pair<std::size_t, SharedInstance>>> waiting_;
@@ -235,21 +266,9 @@ class PlanExecution {
 
 }  // namespace
 
-std::size_t missing_steps(const Plan& plan, const ResultsFolder& folder) {
-  const std::map<std::string, std::string> ids = recorded_ids(folder);
-  const std::set<std::string> runs = folder.run_ids();
-  const auto instances = std::ranges::count_if(
-      plan.instances, [&](const PlannedInstance& instance) { return !ids.contains(instance.label()); });
-  const auto missing =
-      std::ranges::count_if(plan.runs, [&](const PlannedRun& run) { return !runs.contains(run.run_id); });
-  return static_cast<std::size_t>(instances + missing);
-}
-
 void execute_plan(const Plan& plan, const Catalogue& catalogue, const RowContext& context, const ResultsFolder& folder,
                   int jobs, OptimumCache* cache, Progress& progress, StudyResults& results) {
-  PlanExecution execution(plan, catalogue, context, folder, jobs, cache, progress, results);
-  execution.run();
-  execution.seek_disproved_again();
+  PlanExecution(plan, catalogue, context, folder, jobs, cache, progress, results).run();
 }
 
 }  // namespace mwt

@@ -11,9 +11,6 @@
 
 namespace mwt {
 
-/// How many steps `execute_plan` will take: instances whose optimum has not been sought, and runs that have no row.
-[[nodiscard]] std::size_t missing_steps(const Plan& plan, const ResultsFolder& folder);
-
 /// Makes every instance that something is missing of, once; seeks its optimum unless its row has one, then executes its
 /// missing runs; adds every row to `results`. With more than one job, instances overlap. An instance whose recorded
 /// optimum was disproved meanwhile is made again in the end, and its optimum sought. Returns early, without losing a

@@ -23,7 +23,7 @@ struct MergeOutcome {
 };
 
 /// Writes `target`: rows of runs and instances in the order of the study's plan, as a single run would have written
-/// them; of equal instances the first. Disproved claims become errors (known_optima.h).
+/// them; of equal instances the first. Disproved claims become errors (records/known_optima.h).
 ///
 /// Throws InputError, and writes nothing: a folder without records, of another schema version, or in use; folders of
 /// different studies or commits, or with different points under one name; a run in two folders, or not of the study

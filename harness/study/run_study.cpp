@@ -89,7 +89,7 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
 
   const InterruptWatch interrupt_watch;
   const MachineWatch machine_watch;
-  Progress progress(out, options.is_terminal, "steps", missing_steps(plan, folder));
+  Progress progress(out, options.is_terminal, "steps", 0);  // execute_plan() counts them
   const auto announce = [&progress](const std::string& line) { progress.announce(line); };
   std::optional<OptimumCache> cache;
   if (options.cache_folder) {

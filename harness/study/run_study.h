@@ -17,7 +17,8 @@ struct RunOptions {
   bool resume = false;
   int jobs = 1;  ///< runs side by side; more than one disturbs times
   bool is_terminal = false;
-  std::optional<std::string> cache_folder{};  ///< where proved optima are kept (harness/optimum_cache.h); none: nowhere
+  std::optional<std::string>
+      cache_folder{};  ///< where proved optima are kept (harness/rating/optimum_cache.h); none: nowhere
   Shard shard{};
   bool accepts_other_build = false;  ///< whether records of another build of this program may be continued
 };

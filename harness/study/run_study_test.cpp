@@ -75,6 +75,7 @@ TEST(RunStudy, EveryMisbehaviourIsOneRow) {
   EXPECT_EQ(runs["allocates"].status, when_refused) << runs["allocates"].message;
   EXPECT_EQ(runs["invalid"].status, RunStatus::invalid_output);
   EXPECT_NE(runs["invalid"].checker, "ok");
+  EXPECT_FALSE(runs["invalid"].wall_time_s) << "a failed run has no measures";
   EXPECT_EQ(runs["throws"].status, RunStatus::error);
   EXPECT_EQ(runs["throws"].message, "lost its way");
   EXPECT_EQ(runs["declines"].status, RunStatus::not_applicable);
@@ -523,6 +524,16 @@ TEST_F(StudyOfFiles, AreNotResumedWithAnotherStart) {
   write_text(folder_.path("start.csv"), "1,2,0\n0,2,3\n");
   expect_refusal(
       "its run of tuned k=4 start=start.csv on file file=a%20b.txt n=4 seed=1 is none of this study any more");
+}
+
+// Only one of two names of the same points has a row in instances.csv.
+TEST_F(StudyOfFiles, WithOnePointSetUnderTwoNamesAreCompleteWhenAllRunsAreRecorded) {
+  write_text(folder_.path("c.txt"), "0 0\n4 0\n5 1\n0 1\n");
+  EXPECT_EQ(run(study_, folder_.path("both")).runs, 4u);
+  EXPECT_EQ(read_records(folder_.path("both")).instances.size(), 1u);
+  std::ostringstream out;
+  static_cast<void>(run_study(study_, testing::test_catalogue(), {folder_.path("both"), true, 1, false}, out));
+  EXPECT_NE(out.str().find("steps 0/0, 0 failed"), std::string::npos) << out.str();
 }
 
 TEST_F(StudyOfFiles, AreResumedWhenNothingHasChanged) {

@@ -30,7 +30,7 @@ std::string place_of(const std::string& file, const toml::source_region& source)
 // A table of the file whose keys are read one by one; a key that nothing read is an error in the end.
 class TableReader {
  public:
-  TableReader(std::string file, const toml::table& table, std::string title)
+  TableReader(const std::string& file, const toml::table& table, const std::string& title)
       : TableReader(file, table, title, place_of(file, table.source())) {}
 
   // For a table that stands for a name in the file, at `place`.

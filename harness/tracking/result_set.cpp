@@ -1,7 +1,6 @@
 #include "harness/tracking/result_set.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
@@ -9,21 +8,11 @@
 #include "base/error.h"
 #include "harness/io/input_file.h"
 #include "harness/io/text/csv.h"
+#include "harness/tracking/old_names.h"
 
 namespace mwt {
 
 namespace {
-
-// Names of schema versions 1 and 2.
-constexpr std::array<std::pair<const char*, const char*>, 3> kRenamed = {
-    {{"yardstick_time_s", "delaunay_time_s"}, {"greedy_report", "greedy_naive"}, {"flip_report", "flip_naive"}}};
-
-std::string present_name(const std::string& name) {
-  for (const auto& [old, present] : kRenamed) {
-    if (name == old) return present;
-  }
-  return name;
-}
 
 /// For every known column its place in the file's header, or none.
 template <class Record>
@@ -127,7 +116,10 @@ ResultSet read_results(const std::string& folder) {
   Table<RunRecord> runs = read_table((path / "runs.csv").string(), run_columns(), kFirstRunColumns,
                                      {"algorithm", "params", "generator", "n", "seed", "status", "git_commit"});
   results.runs = std::move(runs.records);
-  for (RunRecord& run : results.runs) run.algorithm = present_name(run.algorithm);
+  for (RunRecord& run : results.runs) {
+    run.algorithm = present_name(run.algorithm);
+    run.params = present_params(run.algorithm, run.params);
+  }
   results.schema_version = runs.schema_version;
   results.has_ticking_clock = std::any_of(results.runs.begin(), results.runs.end(), shows_ticks);
   const std::string study_file = (path / "study.toml").string();

@@ -1,7 +1,6 @@
 """The figures, one module each: draw(results, layout) returns a matplotlib figure, or None if the results have nothing for
-it; TITLE and CAPTION, or title(results) and caption(results) where they depend on the results; IS_FOLDED if readers open it
-themselves. A figure chooses families and
-algorithms by what the results have, never from a list. To add one: its module and its line here."""
+it; TITLE and CAPTION, or title(results) and caption(results) where they depend on the results; IS_FOLDED if the page shows only
+the title at first. A figure chooses families and algorithms from the results, never from a list. To add one: its module and its line here."""
 from . import (
     alpha_by_n,
     alpha_by_n_further,

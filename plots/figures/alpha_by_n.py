@@ -69,7 +69,7 @@ def draw_band(axes, has_name):
     axes.axhspan(*REPORTS_BAND, color="#888888", alpha=0.16, linewidth=0)
     if has_name:
         axes.annotate(
-            "the report's band",
+            "source report",
             (1, 0.22),
             xycoords=("axes fraction", "data"),
             fontsize=7.5,
@@ -115,11 +115,11 @@ def caption(results, further=False):
         sentences.append("These are the families on which α stays lower.")
     else:
         sentences.append(
-            "Every optimum is proved: its certified interval is narrower than a millionth of a point on this page. What is"
-            " below the axis’s lowest decade lies on the line “optimal”."
+            "Every optimum is proved: its certified interval is narrower than a millionth of a point on this page. Values"
+            " below the axis’s lowest decade lie on the line “optimal”."
         )
     if results.judges_claims:
-        sentences.append("The shaded band is the report’s 1.1–1.5.")
+        sentences.append("The shaded band is the source report’s range for greedy, 1.1–1.5.")
     if any(chosen.equal.values()):
         sentences.append("Names joined by “=” have the same α wherever both ran.")
     if chosen.optimal:

@@ -59,7 +59,7 @@ def name_rows(axes, names, layout):
 
 def draw_band(axes):
     axes.axvspan(*REPORTS_BAND, color="#888888", alpha=0.16, linewidth=0)
-    axes.text(0.22, -0.85, "the report on greedy", ha="center", va="center", fontsize=7.5)
+    axes.text(0.22, -0.85, "source report: greedy", ha="center", va="center", fontsize=7.5)
 
 
 def draw(results, layout):
@@ -98,11 +98,11 @@ def caption(results):
     observations = observations_of(results)
     families = "random instance (uniform, normal or clustered)" if results.judges_claims else "instance"
     sentences = [
-        f"Every mark is one {families} against its proved optimum, the median over repetitions; the tick is the median"
+        f"Every mark is one {families} relative to its proved optimum, the median over repetitions; the tick is the median"
         " of the row. Rows whose sizes differ, as stated beside them, are not comparable by their medians."
     ]
     if results.judges_claims:
-        sentences.append("The shaded band is what the report says of greedy.")
+        sentences.append("The shaded band is the range that the source report states for greedy.")
     optimal = always_optimal(observations)
     if optimal:
         sentences.append(f"Optimal on every instance: {', '.join(label for label in results.labels if label in optimal)}.")

@@ -1,11 +1,11 @@
-"""The report's local search, flip by flip."""
+"""The source report's local search, flip by flip."""
 from figures.drawing import Gallery, dots, finish, lines, triangulation
 from figures.panels import fold, grid
 from library.style import GREEN, VERMILION
 
-TITLE = "The report's local search, flip by flip"
+TITLE = "The source report's local search, flip by flip"
 CAPTION = (
-    "Figures 9 to 11 of the report, redrawn from points recovered from its printed perimeters. Dashed vermilion: the"
+    "Figures 9 to 11 of the source report, redrawn from points recovered from its printed perimeters. Dashed vermilion: the"
     " edge about to be flipped; green: the edge that took its place. Each state has exactly one flip that improves, the"
     " last has none."
 )

@@ -1,9 +1,7 @@
 """Families built against a heuristic: how alpha grows with n there."""
 import numpy as np
 
-from figures.fits import power_law, upper_half
-from figures.panels import SMALLEST_N, fold, grid, name_panel, side_by_side
-from library.records import CELL
+from figures.panels import fold, grid, name_panel, side_by_side
 from library.style import INK, Styles, report_first
 
 TITLE = "Where heuristics fail: growth of α"
@@ -15,18 +13,14 @@ TICKS = (1, 2, 5, 10, 20, 50, 100, 1000, 1e4, 1e5)
 
 
 def laws(results):
-    """{family: {label: (alpha by n, exponent, factor)}} of whatever has three sizes."""
+    """{family: {label: (alpha by n, law)}} of whatever `mwt report` fitted a power law to."""
+    cells = results.summary
+    cells = cells[(cells["rated_instances"] > 0) & (cells["generator"] != "file")]
     found = {}
-    runs = results.finished
-    runs = runs[(runs["alpha_lower"] >= 1) & (runs["n"] >= SMALLEST_N) & (runs["generator"] != "file")]
-    by_instance = runs.groupby([*CELL, "instance_id"])["alpha_lower"].median()
-    means = by_instance.groupby(CELL).mean().reset_index("n")
-    for (family, label), cell in means.groupby(["family", "label"]):
-        alpha = cell.set_index("n")["alpha_lower"]
-        if len(alpha) > 2:
-            upper = upper_half(alpha)
-            law = power_law(upper.index.to_numpy(float), upper.to_numpy())
-            found.setdefault(family, {})[label] = (alpha, *law)
+    for (family, label), of_series in cells.groupby(["family", "label"]):
+        law = results.laws.get((family, label, "alpha"))
+        if law:
+            found.setdefault(family, {})[label] = (of_series.set_index("n")["alpha_mean"], law)
     return found
 
 
@@ -34,8 +28,8 @@ def usual_exponents(found):
     """The median over the families of each label's exponent; 0 where there are too few families to say what is usual."""
     exponents = {}
     for of_family in found.values():
-        for label, (_, exponent, _) in of_family.items():
-            exponents.setdefault(label, []).append(exponent)
+        for label, (_, law) in of_family.items():
+            exponents.setdefault(label, []).append(law.exponent)
     return {label: np.median(own) if len(found) > 3 else 0 for label, own in exponents.items()}
 
 
@@ -44,13 +38,13 @@ def chosen(results):
     found = laws(results)
     usual = usual_exponents(found)
     growing = {
-        family: {label: law for label, law in of_family.items() if law[1] > SMALLEST_SLOPE}
+        family: {label: (alpha, law) for label, (alpha, law) in of_family.items() if law.exponent > SMALLEST_SLOPE}
         for family, of_family in found.items()
     }
 
     def faster(family):
         """{label: by how much more its exponent is here}."""
-        differences = {label: exponent - usual[label] for label, (_, exponent, _) in growing[family].items()}
+        differences = {label: law.exponent - usual[label] for label, (_, law) in growing[family].items()}
         return {label: more for label, more in differences.items() if more > SMALLEST_SLOPE}
 
     remarkable = [family for family in growing if faster(family)]
@@ -63,23 +57,28 @@ def chosen(results):
     return shown
 
 
-def line(alpha, exponent, factor):
+def line(law):
     """The ends of the fitted line: over the sizes that it is fitted to, and only where it is at least 1, as alpha is."""
-    first, last = float(upper_half(alpha).index[0]), float(alpha.index[-1])
-    ends = np.array([max(first, factor ** (-1 / exponent)), last])
-    return ends, factor * ends**exponent
+    ends = np.array([max(law.min_n, law.factor ** (-1 / law.exponent)), law.max_n])
+    return ends, law.at(ends)
 
 
 def set_scale(axes, of_family):
-    max_n = max(alpha.index.max() for alpha, _, _ in of_family.values())
-    top = max(alpha.max() for alpha, _, _ in of_family.values())
+    max_n = max(law.max_n for _, law in of_family.values())
+    min_n = min(law.min_n for _, law in of_family.values())
+    top = max(alpha.max() for alpha, _ in of_family.values())
     axes.set_xscale("log")
     axes.set_yscale("log")
-    axes.set_xlim(SMALLEST_N / 1.4, max_n * 1.4)
+    axes.set_xlim(min_n / 1.4, max_n * 1.4)
     axes.set_ylim(0.9, max(top, 1.5) ** (1 + 0.12 * len(of_family) + 0.1))  # room for the legend
     ticks = [tick for tick in TICKS if tick <= top * 1.2]
     axes.set_yticks(ticks, [f"{tick:,g}" for tick in ticks])
     axes.minorticks_off()
+
+
+def exponent_text(law):
+    """In one piece, which no line of a legend breaks."""
+    return f" e {'=' if law.fits else '≈'} {law.exponent:.2f}{law.interval()}".replace(" ", "\u00a0")
 
 
 def draw_family(axes, of_family, styles, inches):
@@ -87,13 +86,13 @@ def draw_family(axes, of_family, styles, inches):
     marks = [(n, value) for label in labels for n, value in of_family[label][0].items()]
     places = iter(side_by_side(axes, marks))
     for label in labels:
-        alpha, exponent, factor = of_family[label]
-        axes.plot(*line(alpha, exponent, factor), color=styles.colour(label), linewidth=1.1)
+        alpha, law = of_family[label]
+        axes.plot(*line(law), color=styles.colour(label), linewidth=1.1, linestyle=law.line_style)
         own = [next(places) for _ in alpha]
-        name = fold(f"{label}  e = {exponent:.2f}", inches, LEGEND_SIZE)
+        name = fold(f"{label} {exponent_text(law)}", inches, LEGEND_SIZE)
         axes.plot(*zip(*own), label=name, **styles.mark(label))
-    n = np.geomspace(SMALLEST_N, max(alpha.index.max() for alpha, _, _ in of_family.values()), 40)
-    axes.plot(n, np.log(n) / np.log(SMALLEST_N), color=INK, linewidth=0.7, linestyle=":", zorder=1)
+    n = np.geomspace(*axes.get_xlim(), 40)
+    axes.plot(n, np.log(n) / np.log(n[0]), color=INK, linewidth=0.7, linestyle=":", zorder=1)
     axes.legend(fontsize=LEGEND_SIZE, loc="upper left", handletextpad=0.2, labelspacing=0.25, borderaxespad=0)
 
 
@@ -116,12 +115,12 @@ def draw(results, layout):
 
 
 def caption(results):
-    promise = ": what the report promises of hull insertion" if results.judges_claims else ""
+    promise = ": the growth that the source report states for hull insertion" if results.judges_claims else ""
     return (
-        "α against n, both logarithmic, with the fitted slope e: α grows like n to the power e. A line spans the sizes that"
-        " it is fitted to, of more than five the larger half, and stops where it would fall below 1, which no α does. Shown"
-        " are families on which an algorithm grows faster than on most: on random points every heuristic looks good, on"
-        " points built against it there is no bound. A mark is the mean over instances of the lower ends of the certified"
-        f" intervals for α, of the algorithms whose slope exceeds {SMALLEST_SLOPE}; marks that would hide each other stand"
-        f" side by side. The dotted line is log n, scaled{promise}."
+        "α against n, both logarithmic. A mark is the mean α over the instances with a proved optimum; marks that would hide"
+        " each other stand side by side. A line is the power law that mwt report fitted to all sizes (exponents.csv): α grows"
+        " like n to the power e, with the 95% interval in parentheses. A dashed line (≈) is the mean slope where the values do"
+        " not follow a power law. Lines end where they would fall below 1, the least α. The figure shows families on which an"
+        " algorithm’s exponent is larger than on most families, and there the algorithms whose exponent exceeds"
+        f" {SMALLEST_SLOPE}. The dotted line is log n, scaled{promise}."
     )

@@ -1,10 +1,10 @@
-"""Where the proof of the report's claim on hull insertion fails first."""
+"""Where the proof of the source report's claim on hull insertion fails first."""
 from figures.drawing import Gallery, dots, finish, triangulation
 from figures.panels import grid
 
 TITLE = "A hull that weighs more than the whole"
 CAPTION = (
-    "Section 5.2.4 says that the hull's optimal triangulation never outweighs the optimum of all points. Twelve points"
+    "Section 5.2.4 of the source report states that the hull's optimal triangulation never outweighs the optimum of all points. Twelve points"
     " in convex position, optimally triangulated, and the same with one more point inside: the optimum becomes lighter."
 )
 

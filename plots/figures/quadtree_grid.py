@@ -7,7 +7,7 @@ from library.style import ORANGE
 
 TITLE = "The quadtree's grid"
 CAPTION = (
-    "Section 5.4 of the report on 150 clustered points: the bounding square is split until no cell holds more than four"
+    "Section 5.4 of the source report on 150 clustered points: the bounding square is split until no cell holds more than four"
     " points (first picture); each cell is triangulated by itself and merged with its neighbours (second; vermilion: edges that"
     " the optimum, pale, does not have)."
 )

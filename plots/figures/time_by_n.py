@@ -1,7 +1,7 @@
 """Running times by n with fitted lines."""
 import numpy as np
+from matplotlib.transforms import ScaledTranslation
 
-from figures.fits import is_exponential, power_law, upper_half
 from figures.panels import fold, grid, set_time_ticks
 from library.records import CELL
 from library.style import Styles, legend_columns, name_of
@@ -9,9 +9,10 @@ from library.style import Styles, legend_columns, name_of
 TITLE = "Running time by n"
 REPORTS = ("brute_force", "greedy_naive", "hull_insertion", "flip_naive", "quadtree", "delaunay")
 IN_BOTH = ("delaunay",)  # to compare with
-SMALLEST_FITTED_TIME_S = 2e-5
 SMALLEST_SPAN = 4  # of the sizes; over fewer, a power law and an exponential one look alike
 LEGEND_SIZE = 7.5
+LEGEND_ROW = 0.2  # inches: a power is higher than text
+
 
 def medians(results):
     """{family: {label: median over instances by n}}, the families in their order."""
@@ -29,8 +30,8 @@ def number_of_sizes(times):
 
 
 def times_of(results):
-    """The first family on which many algorithms ran at many sizes, and {name: median by n}: of the algorithms on that family,
-    and of those that do not take it on the family on which they ran at most sizes, which their name says then."""
+    """The first family on which many algorithms ran at many sizes, and {name: (median by n, law)}: of the algorithms on that
+    family, and of those that do not take it on the family on which they ran at most sizes, which their name then states."""
     found = medians(results)
     largest = max(map(number_of_sizes, found.values()), default=0)
     if largest == 0:
@@ -40,46 +41,38 @@ def times_of(results):
     for label in results.labels:
         other = max(found, key=lambda other: len(found[other].get(label, ())))
         if label in found[family]:
-            times[label] = found[family][label]
+            times[label] = found[family][label], law_of(results, family, label)
         elif len(found[other].get(label, ())) > 1:
-            times[f"{label} on {other}"] = found[other][label]
+            times[f"{label} on {other}"] = found[other][label], law_of(results, other, label)
     return family, times
 
 
+def law_of(results, family, label):
+    """None over so small a range of sizes that everything looks like a power law."""
+    law = results.laws.get((family, label, "wall_time_s"))
+    return law if law and law.max_n >= SMALLEST_SPAN * law.min_n else None
+
+
 def panels_of(results, labels):
-    """{title: labels}: the report's algorithms beside all others where the study is about the report."""
+    """{title: labels}: the source report's algorithms beside all others where the study judges its claims."""
     if not results.judges_claims:
         return {"": labels}
     reports = [label for label in labels if name_of(label) in REPORTS]
     others = [label for label in labels if name_of(label) not in REPORTS or name_of(label) in IN_BOTH]
-    panels = {"as the report writes them": reports, "fast, exact and others": others}
+    panels = {"as the source report writes them": reports, "fast, exact and others": others}
     return {title: labels for title, labels in panels.items() if labels}
 
 
-def grows_exponentially(times):
-    times = times[times > SMALLEST_FITTED_TIME_S]
-    return is_exponential(times.index.to_numpy(float), times.to_numpy())
-
-
-def fitted(times):
-    """The slope over the upper half of the sizes, which small costs disturb least; None if there are too few or if times
-    grow exponentially."""
-    times = times[times > SMALLEST_FITTED_TIME_S]
-    if times.empty or times.index[-1] < SMALLEST_SPAN * times.index[0] or grows_exponentially(times):
-        return None
-    upper = upper_half(times)
-    return power_law(upper.index.to_numpy(float), upper.to_numpy()) + (upper.index,) if len(upper) > 2 else None
+def exponent_text(law):
+    return f"  {'' if law.fits else '≈ '}$n^{{{law.exponent:.2f}}}${law.interval()}" if law else ""
 
 
 def draw_panel(axes, times, styles, inches):
-    for label, of_label in times.items():
-        fit = fitted(of_label)
-        name = fold(label, inches, LEGEND_SIZE)
-        if fit:
-            exponent, factor, sizes = fit
-            ends = np.array([sizes[0], sizes[-1]], float)
-            axes.plot(ends, factor * ends**exponent, color=styles.colour(label), linewidth=1.1)
-            name += f"  $n^{{{exponent:.2f}}}$"
+    for label, (of_label, law) in times.items():
+        if law:
+            ends = np.array([law.min_n, law.max_n], float)
+            axes.plot(ends, law.at(ends), color=styles.colour(label), linewidth=1.1, linestyle=law.line_style)
+        name = fold(label, inches, LEGEND_SIZE) + exponent_text(law)
         axes.plot(of_label.index, of_label, label=name, **styles.mark(label))
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -90,7 +83,7 @@ def draw_panel(axes, times, styles, inches):
 def legend_rows(labels, inches):
     """(columns, rows) of a legend below a panel."""
     names = [fold(label, inches - 0.7, LEGEND_SIZE) for label in labels]
-    columns = min(4, legend_columns(inches, [f"{name}  n1.23" for name in names], LEGEND_SIZE))
+    columns = min(4, legend_columns(inches, [f"{name}  n1.23 (1.23–1.23)" for name in names], LEGEND_SIZE))
     return columns, -(-len(names) // columns) + sum(name.count("\n") for name in names)
 
 
@@ -101,7 +94,7 @@ def draw(results, layout):
     panels = panels_of(results, list(times))
     layout = layout.divided(len(panels))
     legends = [legend_rows(labels, layout.panel_width - 0.4) for labels in panels.values()]
-    height = 3.4 + 0.17 * max(rows for _, rows in legends)
+    height = 3.4 + LEGEND_ROW * max(rows for _, rows in legends)
     figure, all_axes = grid(len(panels), layout, height, sharey=True)
     for axes, (title, labels), (of_legend, _) in zip(all_axes, panels.items(), legends):
         draw_panel(axes, {label: times[label] for label in labels}, Styles(labels), layout.panel_width - 1.1)
@@ -109,7 +102,8 @@ def draw(results, layout):
         axes.legend(
             fontsize=LEGEND_SIZE,
             loc="upper left",
-            bbox_to_anchor=(-0.02, -0.15),
+            bbox_to_anchor=(0, 0),
+            bbox_transform=axes.transAxes + ScaledTranslation(-0.1, -0.4, figure.dpi_scale_trans),  # below "points n"
             ncol=of_legend,
             handletextpad=0.2,
             columnspacing=0.8,
@@ -123,15 +117,14 @@ def draw(results, layout):
 
 def caption(results):
     family, times = times_of(results)
-    curved = [label for label, of_label in times.items() if grows_exponentially(of_label)]
     sentences = [
-        f"Median wall time of the algorithm alone, on {family} unless its name says otherwise; lines are fitted through the"
-        " logarithms of the upper half of the sizes, and the legend states their slope: the time grows like n to that power."
-        f" Times below {1e6 * SMALLEST_FITTED_TIME_S:.0f} µs are drawn but not fitted, and sizes that span less than a factor"
-        f" of {SMALLEST_SPAN} say nothing about growth."
+        f"Median wall time of the algorithm alone, on {family} unless the legend names another family. A solid line is the"
+        " power law that mwt report fitted to the times of all sizes (exponents.csv); the legend states its exponent with the"
+        " 95% interval. Sizes that span less than a factor"
+        f" of {SMALLEST_SPAN} have no line, nor do series with a run that stopped early."
     ]
+    if any(law and not law.fits for _, law in times.values()):
+        sentences.append("A dashed line (≈) is the mean slope where the times do not follow a power law.")
     if results.judges_claims:
-        sentences.append("The report’s literal algorithms have a panel of their own.")
-    if curved:
-        sentences.append(f"No power of n fits {', '.join(curved)}: an exponential function does.")
+        sentences.append("The algorithms as the source report writes them have a panel of their own.")
     return " ".join(sentences)

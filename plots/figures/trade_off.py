@@ -1,10 +1,10 @@
-"""What time buys: excess over the optimum against running time, at the largest n that the study has in common."""
+"""Quality against time: excess over the optimum against running time, at the largest n that the study has in common."""
 import math
 
 from figures.panels import grid, large_enough, legend, name_panel, percent_ticks, set_time_ticks
 from library.style import INK, Styles
 
-TITLE = "What time buys"
+TITLE = "Quality against time"
 LOWEST_DECADE = -6
 ENOUGH_ALGORITHMS = 5
 MOST_PANELS = 6

@@ -1,12 +1,12 @@
-"""The report's ten points A .. J, triangulated by its two algorithms."""
+"""The source report's ten points A .. J, triangulated by its two algorithms."""
 from figures.drawing import Gallery, dots, excess, finish, triangulation
 from figures.panels import fold, grid
 
-TITLE = "The report's worked example"
+TITLE = "The source report's worked example"
 CAPTION = (
     "The ten points of sections 5.1.3 and 5.2.3. Broad pale lines: the optimum; vermilion: edges that it does not have."
-    " Greedy finds the optimum; hull insertion, with the report's twelve triangles, is 22 % longer. The points are not"
-    " in general position, as the report requires: B, H, J; E, H, I and F, G, H lie on lines."
+    " Greedy finds the optimum; hull insertion, with the source report's twelve triangles, is 22 % longer. The points are not"
+    " in general position, which the source report requires: B, H, J; E, H, I and F, G, H lie on lines."
 )
 SET = "report_example"
 SHOWN = {"greedy_naive": "greedy (5.1)", "hull_insertion": "hull DP + insertion (5.2)"}

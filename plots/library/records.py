@@ -1,15 +1,16 @@
 """Reading a results folder (schema: results/README.md)."""
+import dataclasses
 import functools
+import math
 import pathlib
 import sys
 import tomllib
-import urllib.parse
 
 import pandas as pd
 
 from library.style import name_of, report_first
 
-KNOWN_SCHEMAS = {1, 2, 3}
+KNOWN_SCHEMAS = {3}
 TEXT_COLUMNS = (
     "params",
     "generator_params",
@@ -26,6 +27,31 @@ TIME_COLUMNS = ("wall_time_s", "cpu_time_s", "delaunay_time_s")
 CELL = ["family", "label", "n"]
 USUAL_FAMILIES = ("uniform", "normal", "clustered")  # what readers look for first, where a study has it
 OPTIMAL = 1 + 1e-9  # an alpha up to here is drawn and counted as optimal
+
+
+@dataclasses.dataclass(frozen=True)
+class Law:
+    """A row of exponents.csv: factor n^exponent, with the exponent's 95% interval, NaN where it has none."""
+
+    exponent: float
+    lower: float
+    upper: float
+    factor: float
+    min_n: int
+    max_n: int
+    fits: bool  # false: the values lie on a curve, and the exponent is its mean slope
+
+    def at(self, n):
+        return self.factor * n**self.exponent
+
+    def interval(self):
+        """ " (1.03–1.07)" for a legend, empty of a curve."""
+        has_interval = self.fits and not math.isnan(self.lower)
+        return f" ({self.lower:.2f}–{self.upper:.2f})" if has_interval else ""
+
+    @property
+    def line_style(self):
+        return "-" if self.fits else "--"
 
 
 class Results:
@@ -49,17 +75,14 @@ class Results:
 
     @functools.cached_property
     def runs(self):
-        """All runs, rated by the tightest bounds in the records, those of other machines than `machine` without times, with a
-        `label` per algorithm and a `family` per generator: names alone where the study has one configuration of it, with the
-        parameters that differ otherwise."""
+        """All runs, rated by the tightest bounds in the records, those of other machines than `machine` without times, with the
+        `label` of their algorithm and the `family` of their points as in summary.csv."""
         runs = self._read("runs.csv")
         elsewhere = self._machines(runs) != self.machine
         runs.loc[elsewhere, [column for column in TIME_COLUMNS if column in runs]] = float("nan")
-        runs["label"] = labels(runs["algorithm"], runs["params"])
-        runs["family"] = labels(runs["generator"], runs["generator_params"])
-        is_file = runs["generator"] == "file"
-        names = runs.loc[is_file, "generator_params"].str.removeprefix("file=")
-        runs.loc[is_file, "family"] = names.map(urllib.parse.unquote)  # blanks are written as in a URL
+        for name, keys in (("label", ["algorithm", "params"]), ("family", ["generator", "generator_params"])):
+            known = self.summary.drop_duplicates(keys).set_index(keys)[name]
+            runs[name] = known.loc[list(zip(*(runs[key] for key in keys)))].to_numpy()
         ratings = self._read("ratings.csv", "mwt report").set_index("run_id")
         of_runs = ratings.reindex(runs["run_id"])
         for column in ("optimality", "alpha_lower", "alpha_upper", "optimal"):
@@ -119,13 +142,22 @@ class Results:
 
     @functools.cached_property
     def summary(self):
-        """summary.csv with the `label` and `family` of runs."""
-        summary = self._read("summary.csv", "mwt report")
-        runs = self.runs
-        for name, keys in (("label", ("algorithm", "params")), ("family", ("generator", "generator_params"))):
-            known = dict(zip(zip(*(runs[key] for key in keys)), runs[name]))
-            summary[name] = [known[key] for key in zip(*(summary[key] for key in keys))]
-        return summary
+        return self._read("summary.csv", "mwt report")
+
+    @functools.cached_property
+    def laws(self):
+        """{(family, label, measure): Law}, as `mwt report` fitted them; measures are "wall_time_s" and "alpha". Without the
+        series in which a run stopped early: its time and alpha are those of the limit."""
+        table = self._read("exponents.csv", "mwt report")
+        stopped = self.runs[self.runs["stopped_early"] == 1]
+        without_law = set(zip(stopped["family"], stopped["label"]))
+        return {
+            (row.family, row.label, row.measure): Law(
+                row.exponent, row.exponent_lower, row.exponent_upper, row.factor, row.min_n, row.max_n, row.fits != "no"
+            )
+            for row in table.itertuples()
+            if (row.family, row.label) not in without_law
+        }
 
     @functools.cached_property
     def instances(self):
@@ -158,20 +190,3 @@ class Results:
         path = self.folder / name
         return pd.read_csv(path) if path.is_file() else pd.DataFrame()
 
-
-def labels(names, parameters):
-    """A name alone where only one configuration has it; else with the parameters in which its configurations differ. One
-    that is commoner than all others of the name keeps the bare name."""
-    configurations = pd.DataFrame({"name": names, "parameters": parameters})
-    result = {}
-    for name, group in configurations.groupby("name", sort=False):
-        counts = group["parameters"].value_counts()
-        values = {text: dict(part.split("=", 1) for part in text.split() if "=" in part) for text in counts.index}
-        has_usual = len(counts) == 1 or counts.iloc[0] > counts.iloc[1]
-        usual = values[counts.index[0]] if has_usual else {}
-        keys = [key for key in values[counts.index[0]] if len({one.get(key) for one in values.values()}) > 1]
-        for text in counts.index:
-            own = values[text]
-            differing = [f"{key}={own[key]}" for key in keys if key in own and own[key] != usual.get(key)]
-            result[name, text] = " ".join([name, *differing])
-    return [result[key] for key in zip(configurations["name"], configurations["parameters"])]

@@ -1,7 +1,7 @@
 """One look for all figures: a colour and a marker per algorithm, the same in every figure; sizes; saving.
 
 Colours are Okabe and Ito's, which the colour-blind can tell apart, with two more for algorithms that never share a panel
-with their neighbours in hue; markers carry the same distinction for print in grey. An algorithm of the report and its
+with their neighbours in hue; markers carry the same distinction for print in grey. An algorithm of the source report and its
 fast counterpart share a colour and differ in the marker. Algorithms without a line here get one that is still free.
 """
 import dataclasses

@@ -18,7 +18,7 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-  # ccache keeps what was compiled with a precompiled header only if allowed these, and told of the header in the source.
+  # ccache caches objects that use a precompiled header only with these settings and -fpch-preprocess.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
   set(MWT_PRECOMPILED_HEADER_FLAGS -fpch-preprocess)
 endif()

@@ -12,7 +12,7 @@
 //   no ending, -    (`-` is standard input or output) text on writing; on reading, whichever of the three it looks
 //                   like.
 //
-// Text is UTF-8, or UTF-16 with a byte order mark; lines end with LF, CRLF or CR (geometry/text_file.h).
+// Text is UTF-8, or UTF-16 with a byte order mark; lines end with LF, CRLF or CR (harness/io/text/text_file.h).
 // Endings count in either case; any other is an error.
 #pragma once
 

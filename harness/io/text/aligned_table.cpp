@@ -70,7 +70,7 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
 
 }  // namespace
 
-AlignedTable::AlignedTable(std::vector<std::string> header, std::vector<std::size_t> left_aligned)
+AlignedTable::AlignedTable(std::vector<std::string> header, const std::vector<std::size_t>& left_aligned)
     : is_left_aligned_(header.size(), false) {
   rows_.push_back(std::move(header));
   is_left_aligned_.at(0) = true;

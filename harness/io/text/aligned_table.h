@@ -12,7 +12,7 @@ namespace mwt {
 /// `left_aligned` (by position) are aligned to the left, all others to the right.
 class AlignedTable {
  public:
-  explicit AlignedTable(std::vector<std::string> header, std::vector<std::size_t> left_aligned = {});
+  explicit AlignedTable(std::vector<std::string> header, const std::vector<std::size_t>& left_aligned = {});
 
   /// Precondition: as many cells as the header has.
   void add_row(std::vector<std::string> cells);

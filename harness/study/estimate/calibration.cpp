@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <memory>
+#include <optional>
 #include <utility>
 
 #include "harness/rating/isolated_run.h"
@@ -89,10 +89,10 @@ class Calibration {
   // False if larger sizes would take longer still or fail, too.
   bool measure(const PlannedWork& item) {
     ++runs_;
-    std::shared_ptr<const Instance> instance;
+    std::optional<Instance> instance;
     try {
       const PlannedInstance& planned = plan_.instances[item.instance];
-      instance = std::make_shared<const Instance>(make_instance(planned.make_points(), planned.label()));
+      instance = make_instance(planned.make_points(), planned.label());
     } catch (const std::exception&) {
       return false;  // the study's rows will say so
     }
@@ -106,7 +106,7 @@ class Calibration {
     limits.grace_s = kLimit;
     RatedRun result;
     ProcessPool pool(1);
-    start_isolated_run(pool, request, instance, limits, {1e-9, false}, [&](RatedRun run) { result = std::move(run); });
+    start_isolated_run(pool, request, *instance, limits, {1e-9, false}, [&](RatedRun run) { result = std::move(run); });
     while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(100));
     const bool at_limit = result.status == RunStatus::timeout || result.stopped_early.value_or(false);
     if (result.status == RunStatus::ok || at_limit) {

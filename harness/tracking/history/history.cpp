@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "harness/tracking/old_names.h"
 
 namespace mwt {
 
@@ -131,28 +132,6 @@ class Transaction {
 
 std::int64_t signed_seed(std::uint64_t seed) { return static_cast<std::int64_t>(seed); }
 
-constexpr const char* kValuesOfNight =
-    "SELECT algorithm, params, generator, generator_params, n, seed, threads, measure, value, runs "
-    "FROM value JOIN cell ON cell.id = value.cell WHERE night = ? "
-    "ORDER BY algorithm, params, generator, generator_params, n, seed, threads, measure";
-
-std::vector<NightlyValue> values_of_nightly_run(const std::string& path, sqlite3* database, std::int64_t nightly_run) {
-  Statement rows(path, database, kValuesOfNight);
-  rows.bind(nightly_run);
-  std::vector<NightlyValue> values;
-  while (rows.step()) {
-    const TrackedCell cell{rows.text(0),
-                           rows.text(1),
-                           rows.text(2),
-                           rows.text(3),
-                           static_cast<Index>(rows.integer(4)),
-                           static_cast<std::uint64_t>(rows.integer(5)),
-                           static_cast<int>(rows.integer(6))};
-    values.push_back({cell, rows.text(7), rows.number(8), static_cast<std::size_t>(rows.integer(9))});
-  }
-  return values;
-}
-
 std::vector<NightlyValue> sorted(std::vector<NightlyValue> values) {
   const auto key = [](const NightlyValue& v) {
     return std::tie(v.cell.algorithm, v.cell.params, v.cell.generator, v.cell.generator_params, v.cell.n, v.cell.seed,
@@ -161,6 +140,28 @@ std::vector<NightlyValue> sorted(std::vector<NightlyValue> values) {
   std::sort(values.begin(), values.end(),
             [&](const NightlyValue& a, const NightlyValue& b) { return key(a) < key(b); });
   return values;
+}
+
+constexpr const char* kValuesOfNight =
+    "SELECT algorithm, params, generator, generator_params, n, seed, threads, measure, value, runs "
+    "FROM value JOIN cell ON cell.id = value.cell WHERE night = ?";
+
+std::vector<NightlyValue> values_of_nightly_run(const std::string& path, sqlite3* database, std::int64_t nightly_run) {
+  Statement rows(path, database, kValuesOfNight);
+  rows.bind(nightly_run);
+  std::vector<NightlyValue> values;
+  while (rows.step()) {
+    const std::string algorithm = present_name(rows.text(0));
+    const TrackedCell cell{algorithm,
+                           present_params(algorithm, rows.text(1)),
+                           rows.text(2),
+                           rows.text(3),
+                           static_cast<Index>(rows.integer(4)),
+                           static_cast<std::uint64_t>(rows.integer(5)),
+                           static_cast<int>(rows.integer(6))};
+    values.push_back({cell, rows.text(7), rows.number(8), static_cast<std::size_t>(rows.integer(9))});
+  }
+  return sorted(std::move(values));
 }
 
 bool same_values(const std::vector<NightlyValue>& a, const std::vector<NightlyValue>& b) {

@@ -106,6 +106,17 @@ constexpr const char* kVersion1 =
     "INSERT INTO value VALUES (1, 1, 'wall_time_s', 0.5, 3); INSERT INTO value VALUES (2, 1, 'wall_time_s', 0.25, 3);"
     "PRAGMA user_version = 1;";
 
+TEST_F(HistoryFile, OldNamesBecomeThePresentOnes) {
+  NightlyRun old{"a", "env", "Abacus", "nightly", "c", "2026-01-01", {}};
+  old.values.push_back({{"greedy_report", "", "uniform", "", 100, 1, 1}, "cpu_time_s", 0.5, 3});
+  NightlyRun present = old;
+  present.values[0].cell.algorithm = "greedy_naive";
+  EXPECT_EQ(History(path(), History::Mode::write).add(old), History::Added::as_new);
+  History history(path(), History::Mode::write);
+  EXPECT_EQ(history.nightly_runs().at(0).values.at(0).cell.algorithm, "greedy_naive");
+  EXPECT_EQ(history.add(present), History::Added::unchanged);
+}
+
 TEST_F(HistoryFile, OneOfVersion1IsReadAndGoesOn) {
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
