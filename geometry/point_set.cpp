@@ -11,12 +11,11 @@
 
 #include "base/error.h"
 #include "geometry/convex_hull.h"
+#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 
 namespace {
-
-constexpr double kMaxCoordinate = 1e300;
 
 void require_usable_coordinates(const std::vector<Point>& input, const std::string& source) {
   for (std::size_t i = 0; i < input.size(); ++i) {

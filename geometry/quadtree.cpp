@@ -7,14 +7,13 @@
 
 #include "base/error.h"
 #include "geometry/numbers/interval.h"
+#include "geometry/numbers/trusted_range.h"
 
 namespace mwt {
 
 namespace {
 
 using Cell = Quadtree::Cell;
-
-constexpr double kMaxCoordinate = 1e300;
 
 // A point travels with its index, so that splitting a cell reads memory in order.
 struct IndexedPoint {

@@ -24,7 +24,7 @@ std::vector<Edge> beta_skeleton_of(const PlanarMesh& mesh) {
 }
 
 // Whatever the algorithms on the way note on edges.
-TEST(Walls, AreTheSameInEveryStart) {
+TEST(BetaSkeletonEdges, AreTheSameInEveryStart) {
   for (const test::ShapeFamily& shape : test::shapes()) {
     SCOPED_TRACE(shape.name);
     const std::vector<Point> points = test::make_shape(shape, 2000, 1);

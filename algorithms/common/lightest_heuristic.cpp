@@ -75,17 +75,17 @@ Triangulation lightest_heuristic(Points points, const Context& context, const st
 
 Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n) {
   if (!deadline) return {};
-  constexpr double kPlentyPerPoint = 8e-6;  // twice what random points take on one 2.8 GHz core
-  constexpr double kPlenty = 2;             // what 10,000 points of a corridor take
+  constexpr double kSufficientPerPoint = 8e-6;  // twice what random points take on one 2.8 GHz core
+  constexpr double kSufficient = 2;             // what 10,000 points of a corridor take
   const Clock::time_point now = Clock::now();
   const Clock::duration quarter = std::max(*deadline - now, Clock::duration::zero()) / 4;
-  return *deadline - std::min(quarter, duration_of(kPlenty + kPlentyPerPoint * static_cast<double>(n)));
+  return *deadline - std::min(quarter, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n)));
 }
 
 Deadline deadline_of_heuristics(const Deadline& deadline) {
   if (!deadline) return {};
-  constexpr double kMin = 0.2;
-  return std::max(*deadline, Clock::now() + duration_of(kMin));
+  constexpr double kMinSeconds = 0.2;
+  return std::max(*deadline, Clock::now() + duration_of(kMinSeconds));
 }
 
 }  // namespace mwt

@@ -24,11 +24,11 @@ namespace mwt {
                                                const std::optional<Triangulation>& own = {});
 
 /// When an exact algorithm that must end by `deadline` should leave its own work for lightest_heuristic() of n points:
-/// a quarter of the time before, or less if that is plenty.
+/// a quarter of the remaining time before it, or less where that suffices.
 [[nodiscard]] Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n);
 
-/// The deadline for lightest_heuristic(): the given one, but .2 s from now at least, so that small
-/// instances get the benefit whatever the time limit was and whatever overran it.
+/// The deadline for lightest_heuristic(): the given one, but at least 0.2 s from now, so that small
+/// instances are improved even when the time limit has passed.
 [[nodiscard]] Deadline deadline_of_heuristics(const Deadline& deadline);
 
 }  // namespace mwt

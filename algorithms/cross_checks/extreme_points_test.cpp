@@ -72,7 +72,7 @@ void for_each_set(std::uint64_t first_seed, std::uint64_t sets, const SizeOf& si
   }
 }
 
-// Solves sets of 4 to `max_n` points of all kinds; says how many `exact` left open.
+// Solves sets of 4 to `max_n` points of all kinds; prints how many `exact` left open.
 void compare_solvers(std::uint64_t first_seed, std::uint64_t sets, std::size_t max_n) {
   std::uint64_t open = 0;
   const auto size_of = [=](std::uint64_t round) -> std::size_t { return 4 + round % (max_n - 3); };

@@ -27,7 +27,7 @@ namespace mwt {
 
 namespace {
 
-// The context with another deadline, as long as this lives.
+// Gives the context another deadline for the lifetime of this object.
 class OtherDeadline {
  public:
   OtherDeadline(Context& context, const Deadline& other)

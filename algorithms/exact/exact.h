@@ -8,8 +8,8 @@ namespace mwt {
 /// The stages, each a unit of its own, the first four in candidates/, the last in faces/:
 ///   1. kd_order: neighbours in the plane become neighbours in memory;
 ///   2. diamond_candidates: all edges that may be in a minimum weight triangulation, about 11.6 n;
-///      far_edges: the same test again for very long edges, by angles instead of coordinates;
 ///   3. lmt_skeleton: deletes edges that are locally minimal in no quadrilateral; about 3.8 n stay;
+///      far_edges: the diamond test again for very long edges, by angles instead of coordinates;
 ///   4. certain_edges: those that nothing crosses any more, about 2.5 n, are in every optimum (up to ties);
 ///   5. face_solver: each face of the certain edges: polygons by dynamic programs, faces with one hole by dynamic
 ///      programs after a cut; faces with more are divided where possible, and what is left are linear programs with
@@ -22,8 +22,8 @@ namespace mwt {
 /// abort, and `stop_reason` says which; sizes are a count of candidates beyond max(10^8, 64 n), more than 6,000 points
 /// in convex position, and faces with holes of more than kMaximumProgramTriangles empty triangles. The triangulation is
 /// then the lightest that heuristics find in the time that is left, for which the stages end a little before the
-/// deadline (fallback/lightest_heuristic.h): never heavier than those of `greedy`, `patch` and `flip`, time permitting.
-/// Ties: between optima that no comparison tells apart, the choice is fixed by the order of the points. Time: about n
+/// deadline (common/lightest_heuristic.h): never heavier than those of `greedy`, `patch` and `flip`, time permitting.
+/// Ties: between optima of equal weight, the order of the points decides. Time: about n
 /// log n on inputs of gradually varying or clustered density; the general problem is NP-hard (Mulzer and Rote 2008).
 /// Deterministic, whatever context.threads.
 ///

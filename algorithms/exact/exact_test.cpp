@@ -1,7 +1,6 @@
 #include "algorithms/exact/exact.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/candidates/convex_position.h"
+#include "algorithms/exact/testing/instruction_sets.h"
 #include "algorithms/exact/testing/stage_testing.h"
 
 namespace mwt {
@@ -251,28 +251,15 @@ TEST(Exact, DoesNotDependOnThreads) {
   }
 }
 
-// Restores the machine's own instruction set.
-struct VectorTargets {
-  ~VectorTargets() { hwy::SetSupportedTargetsForTest(0); }
-  static void use_only(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
 TEST(Exact, DoesNotDependOnVectorInstructions) {
-  const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
-  const VectorTargets restore;
   for (const auto& [name, points] : middle_sized_instances()) {
-    VectorTargets::use_only(targets.front());
+    SCOPED_TRACE(name);
     const Solution best = solve_with_threads(points, 1);
-    for (const std::int64_t target : targets) {
-      SCOPED_TRACE(name + ' ' + hwy::TargetName(target));
-      VectorTargets::use_only(target);
+    stage_testing::for_each_instruction_set([&] {
       const Solution other = solve_with_threads(points, 1);
       EXPECT_EQ(canonical(best), canonical(other));
       EXPECT_EQ(best.optimum, other.optimum);
-    }
+    });
   }
 }
 

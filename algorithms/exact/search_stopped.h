@@ -1,4 +1,4 @@
-// How a stage of the exact solver says that it cannot go on.
+// The exception by which a stage of the exact solver stops.
 #pragma once
 
 #include <stdexcept>

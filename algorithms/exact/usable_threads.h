@@ -9,7 +9,7 @@
 
 namespace mwt {
 
-/// What the context asks for, but no more than there are cores: more would only wait for each other.
+/// The context's number of threads, at least 1 and at most the number of cores: more would only compete for them.
 [[nodiscard]] inline int usable_threads(const Context& context) {
   return std::clamp(context.threads, 1, tbb::info::default_concurrency());
 }

@@ -19,10 +19,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Sums of two table entries in doubles err by less than 4 * 2^-53 of themselves, so whatever is minimal in
-// double-double lies within this factor of the smallest sum.
-constexpr double kNear = 1 + 0x1p-50;
-
 // Rows of the table that are filled together.
 constexpr std::size_t kBlock = 16;
 
@@ -110,10 +106,11 @@ class IntervalTable {
     return smallest;
   }
 
-  // The best of the left-turning splits whose rounded sum is `bound` or so close above it that rounding may deceive.
+  // The best of the left-turning splits whose rounded sum is `bound` or so close above it that rounding may have
+  // exchanged them.
   [[nodiscard]] std::size_t best_split_near(std::size_t i, std::size_t j, double bound) const {
     if (bound == kInfinity) return size_;
-    const double limit = bound * kNear;
+    const double limit = bound * (1 + kRoundedSumMargin);
     std::size_t best = size_;
     DoubleDouble best_sum = kInfinity;
     for (std::size_t k = next_near(i, j, i + 1, limit); k < j; k = next_near(i, j, k + 1, limit)) {

@@ -34,7 +34,7 @@ struct PolygonTriangulation {
 ///
 /// Costs are double-double sums with a proven error bound; plain doubles only discard what is certainly worse.
 /// Throws InputError if there is no triangulation: the cycle is not simple, not counter-clockwise, or flat.
-/// O(n^3) time (about .2 s at n = 1000, 1.5 s at 2000), 16 n^2 bytes. Deterministic.
+/// O(n^3) time (about 0.2 s at n = 1000, 1.5 s at 2000), 16 n^2 bytes. Deterministic.
 ///
 /// P. D. Gilbert, "New results in planar triangulations", 1979; G. T. Klincsek, "Minimal triangulations of polygonal
 /// domains", Annals of Discrete Mathematics 9 (1980).

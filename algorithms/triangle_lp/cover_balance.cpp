@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
+
+#include "algorithms/common/rows.h"
 
 namespace mwt {
 
@@ -11,30 +14,26 @@ namespace {
 
 constexpr std::size_t kMaxSweeps = 20'000;
 constexpr std::size_t kMaxVisits = 1'000'000'000;  // of columns, in all sweeps together
-constexpr double kNegligibleGain = 1e-6;           // per sweep, relative
+// A sweep that gains less than this, relatively, is the last: a linear program then gains more in the same time.
+constexpr double kNegligibleGain = 1e-6;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The columns at every side, and their reduced costs, kept up to date.
 class SideBalance {
  public:
-  SideBalance(const CoverModel& model, CoverDuals& duals)
-      : model_(model), dual_(duals.of_side), first_(model.side_cost.size() + 1, 0) {
-    for (const auto& column : model.columns) {
-      reduced_.push_back(reduced_cost(model, duals, column));
-      for (const Side side : column.sides) ++first_[side + 1];
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    columns_.resize(3 * model.columns.size());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t c = 0; c < model.columns.size(); ++c) {
-      for (const Side side : model.columns[c].sides) columns_[next[side]++] = c;
-    }
+  SideBalance(const CoverModel& model, CoverDuals& duals) : model_(model), dual_(duals.of_side) {
+    for (const auto& column : model.columns) reduced_.push_back(reduced_cost(model, duals, column));
+    columns_ = file_in_rows<std::uint32_t>(model.side_cost.size(), [&](const auto& file) {
+      for (std::uint32_t c = 0; c < model.columns.size(); ++c) {
+        for (const Side side : model.columns[c].sides) file(side, c);
+      }
+    });
   }
 
   void add_dual(Side side, double dual) {
     dual_[side] += dual;
-    for (std::uint32_t i = first_[side]; i < first_[side + 1]; ++i) reduced_[columns_[i]] -= dual;
+    for (const std::uint32_t c : std::as_const(columns_)[side]) reduced_[c] -= dual;
   }
 
   void balance(std::uint32_t edge) {
@@ -75,14 +74,13 @@ class SideBalance {
  private:
   [[nodiscard]] double min_at(Side side) const {
     double least = kInfinity;
-    for (std::uint32_t i = first_[side]; i < first_[side + 1]; ++i) least = std::min(least, reduced_[columns_[i]]);
+    for (const std::uint32_t c : columns_[side]) least = std::min(least, reduced_[c]);
     return least;
   }
 
   const CoverModel& model_;
   std::vector<double>& dual_;
-  std::vector<std::uint32_t> first_;  // columns at side s: columns_[first_[s]] .. columns_[first_[s + 1]]
-  std::vector<std::uint32_t> columns_;
+  Rows<std::uint32_t> columns_;  // by side
   std::vector<double> reduced_;
 };
 
@@ -104,7 +102,7 @@ void balance_duals(const CoverModel& model, CoverDuals& duals, const Deadline& d
   const std::size_t sweeps = std::min(kMaxSweeps, kMaxVisits / (model.columns.size() + 1));
   for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
     for (const std::uint32_t edge : order) balance.balance(edge);
-    std::reverse(order.begin(), order.end());  // news travels both ways
+    std::reverse(order.begin(), order.end());  // so that changes spread in both directions
     const double dual = balance.boundary_dual();
     const bool late = has_passed(deadline);
     if (late || std::abs(dual - last) <= kNegligibleGain * dual) break;

@@ -1,11 +1,11 @@
-// Credits that pay exactly for a known cover, as a flow of dual value through the plane.
+// Dual values under which a known cover has no slack, as a flow through the plane.
 #pragma once
 
 #include "algorithms/triangle_lp/cover_model.h"
 
 namespace mwt {
 
-/// Credits under which every triangle of `cover` has reduced cost 0, and any other candidate is credited with its
+/// Dual values under which every triangle of `cover` has reduced cost 0, and those of any other candidate add up to its
 /// share, by area, of the costs of the triangles it overlaps: a first guess at the dual solution that follows the
 /// density of the points.
 ///

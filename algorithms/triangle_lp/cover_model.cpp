@@ -58,7 +58,10 @@ std::vector<DoubleDouble> costs_of_sides(Points points, const CoverModel& model)
 // Error bounds, relative to the sum of the magnitudes of all terms.
 constexpr double kDoubleError = 0x1p-49;           // six terms, each operation errs by 2^-53
 constexpr double kDoubleDoubleSumError = 0x1p-90;  // lengths err by 2^-97, each of the few additions by 2^-100
-constexpr double kUnderflow = 0x1p-1000;
+constexpr double kUnderflow = 0x1p-1000;           // absolute: what coordinates far below the unit lose
+
+// Makes a product of rounded costs an upper bound: far above the few roundings of 2^-53 in it.
+constexpr double kRoundUp = 1 + 0x1p-40;
 
 // A sum of signed double-doubles and the magnitude to which its error is relative.
 struct SignedSum {
@@ -135,7 +138,7 @@ CoverModel::CoverModel(const TriangleCoverProblem& problem) : triangle_count(pro
   exponent = unit_exponent(problem.points, edges);
   side_cost = costs_of_sides(problem.points, *this);
   for (const Column& column : columns) max_cover_cost = std::max(max_cover_cost, cost(column));
-  max_cover_cost *= static_cast<double>(triangle_count) * (1 + 0x1p-40);
+  max_cover_cost *= static_cast<double>(triangle_count) * kRoundUp;
 }
 
 double CoverModel::cost(const Column& column) const {

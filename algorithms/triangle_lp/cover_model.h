@@ -45,9 +45,9 @@ struct CoverModel {
 /// Whether an inner edge may be in the cover, must be or must not be.
 enum class EdgeDecision : std::uint8_t { open, in, out };
 
-/// A dual solution: what a triangle gets back for each side it covers. Open inner edges have opposite dual values on
-/// their sides, so that a cover's dual values add up to those of the boundary and of both sides of the edges that must
-/// be in.
+/// A dual solution: a value per side, subtracted from the cost of each triangle that has the side. Open inner edges
+/// have opposite dual values on their sides, so that the dual values of a cover's sides add up to those of the boundary
+/// and of both sides of the edges that must be in.
 struct CoverDuals {
   std::vector<double> of_side;
   std::vector<EdgeDecision> decisions;  ///< by edge

@@ -65,7 +65,7 @@ void CoverProgram::add_column(std::uint32_t column) {
   program_.add_column(entries);
 }
 
-// The empty cover stands in for every side that has to be covered.
+// The empty cover counts for every side that has to be covered.
 void CoverProgram::update_empty_cover() {
   std::vector<Entry> entries;
   for (const int row : boundary_row_) {

@@ -15,11 +15,11 @@ namespace mwt {
 
 /// The relaxation x >= 0 of a cover model, restricted to some columns at first, with decisions on edges for branching.
 ///
-/// Besides the triangles there is the empty cover, a variable that stands for covering nothing: it makes every
+/// Besides the triangles there is the empty cover, a variable for covering nothing: it makes every
 /// restriction feasible, and costs so much that it is only used where no cover obeys the decisions.
 class CoverProgram {
  public:
-  /// Begins with `dual values` as the dual solution and with `first_columns`.
+  /// Begins with `duals` as the dual solution and with `first_columns`.
   CoverProgram(const CoverModel& model, CoverDuals duals, std::span<const std::uint32_t> first_columns,
                const Deadline& deadline);
 

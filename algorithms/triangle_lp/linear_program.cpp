@@ -16,7 +16,7 @@ void jump_back(void* destination) {
   std::longjmp(*static_cast<std::jmp_buf*>(destination), 1);
 }
 
-// GLPK reports its errors on the terminal even when told to be quiet; a hook that claims each message keeps it so.
+// GLPK prints errors on the terminal even in quiet mode; a hook that claims to have handled each message prevents that.
 int swallow_message(void*, const char*) { return 1; }
 
 glp_prob* glpk(void* problem) { return static_cast<glp_prob*>(problem); }
@@ -29,13 +29,17 @@ int time_slice_ms(const Deadline& deadline) {
   return static_cast<int>(std::clamp<long long>(left.count() / 2, 1, INT_MAX));
 }
 
+// How far GLPK may leave bounds and reduced costs violated: 100 times closer than its default, as its solutions are
+// refined, and no closer, as its own rounding would keep it from ending.
+constexpr double kSimplexTolerance = 1e-9;
+
 glp_smcp simplex_options(LinearProgram::Method method, const Deadline& deadline) {
   glp_smcp options;
   glp_init_smcp(&options);
   options.msg_lev = GLP_MSG_OFF;
   options.meth = method == LinearProgram::Method::primal ? GLP_PRIMAL : GLP_DUALP;
-  options.tol_bnd = 1e-9;
-  options.tol_dj = 1e-9;
+  options.tol_bnd = kSimplexTolerance;
+  options.tol_dj = kSimplexTolerance;
   options.tm_lim = time_slice_ms(deadline);
   return options;
 }

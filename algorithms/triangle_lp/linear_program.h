@@ -1,4 +1,4 @@
-// A linear program that grows by rows and columns: the only door to GLPK.
+// A linear program that grows by rows and columns: the only code that calls GLPK.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace mwt {
 /// is a proposal, which the caller certifies.
 ///
 /// GLPK ends the process when it meets an error of its own. Here that only makes the program `failed()`: every later
-/// call does nothing and solve() says no. GLPK keeps one environment per thread, which this class frees with its last
-/// use: at most one object may exist per thread at a time; different threads do not disturb each other.
+/// call does nothing and solve() returns false. GLPK keeps one environment per thread, which this class frees with its
+/// last use: at most one object may exist per thread at a time; different threads do not disturb each other.
 class LinearProgram {
  public:
   /// A non-zero coefficient in some row or column.

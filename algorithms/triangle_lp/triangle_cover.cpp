@@ -17,8 +17,8 @@ namespace mwt {
 
 namespace {
 
-constexpr double kProvedWidth = 1e-12;
-// A branch whose bound is this near to the best cover, relatively, can be left: the interval stays within kProvedWidth.
+// A branch whose bound is this near to the best cover, relatively, is pruned: the interval stays well within
+// kProvedRelativeWidth.
 constexpr double kPruningGap = 2e-13;
 // So few columns need no selection.
 constexpr std::size_t kFew = 500;
@@ -56,7 +56,7 @@ class CoverSearch {
       best_.programs += program_->programs();
     }
     best_.optimum.lower = std::min(std::max(certain, in_original_unit(lower_)), best_.optimum.upper);
-    best_.proved = !best_.triangles.empty() && best_.optimum.relative_width() <= kProvedWidth;
+    best_.proved = !best_.triangles.empty() && best_.optimum.relative_width() <= kProvedRelativeWidth;
     best_.stop_reason = stop_reason();
     return std::move(best_);
   }
@@ -120,7 +120,7 @@ class CoverSearch {
 
   // Solves the program over more and more of the promising columns until a cover is found that is nearly optimal.
   void find_restricted_covers() {
-    constexpr double kNearly = 1e-4;
+    constexpr double kNearly = 1e-4;  // a gap that leaves so few columns that the whole program is solved soon
     for (std::size_t per_triangle = 10; per_triangle <= 80 && !past_deadline(); per_triangle *= 2) {
       CoverProgram restricted(model_, duals_, promising_columns(per_triangle), problem_.deadline);
       lower_ = std::max(lower_, restricted.solve(enough(), 1));

@@ -23,7 +23,7 @@
 namespace mwt {
 
 /// A region to cover: connected, possibly with holes, slits and isolated points. Its boundary is given as directed
-/// edges with the region on their left; an edge inside the region that must be part of the cover stands there in both
+/// edges with the region on their left; an edge inside the region that must be part of the cover is given in both
 /// directions.
 struct TriangleCoverProblem {
   Points points;
@@ -40,7 +40,7 @@ struct TriangleCover {
   /// Certified bounds on the weight of the lightest cover by candidates, every edge once; infinite above without a
   /// cover.
   Interval optimum;
-  bool proved = false;  ///< relative width of `optimum` at most 1e-12
+  bool proved = false;  ///< relative width of `optimum` at most kProvedRelativeWidth
   /// Why a cover was not proved lightest: the deadline, or rounding in the linear programs.
   std::optional<StopReason> stop_reason;
   std::uint64_t programs = 0;    ///< linear programs solved

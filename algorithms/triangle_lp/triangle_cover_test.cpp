@@ -45,7 +45,7 @@ TEST(TriangleCover, CoversAnIsolatedPoint) {
   EXPECT_NEAR(cover.optimum.middle(), 8 + 4 * std::sqrt(2.0), 1e-12);
 }
 
-// The slit from a corner to the centre stands in the boundary in both directions and still costs once.
+// The slit from a corner to the centre is in the boundary in both directions and still costs once.
 TEST(TriangleCover, CountsASlitOnce) {
   Region region = square_with_centre();
   region.boundary.push_back({0, 4});

@@ -13,8 +13,8 @@ namespace mwt {
 ///
 /// Preconditions: at least 3 distinct points, not all collinear; NotApplicable beyond max_points.
 ///
-/// Solution::optimum is always certified; of relative width 1e-12 or less unless the deadline or numerical trouble
-/// intervened.
+/// Solution::optimum is always certified; of relative width kProvedRelativeWidth or less unless the deadline or
+/// numerical trouble intervened.
 ///
 /// Ties: whichever optimum the simplex method meets; deterministic without a deadline.
 ///

@@ -26,7 +26,7 @@ struct ChainPair {
 
 /// The pair for some partition of the points; nothing if no partition is one, or if all points lie on their hull's
 /// boundary, where polygon programs serve better. Preconditions: distinct points, not all collinear.
-/// O(n log^2 n + candidates * |first| |second|), where nearly always at most one candidate is looked at in full.
+/// O(n log^2 n + candidates * |first| |second|), where nearly always at most one candidate is examined in full.
 /// Deterministic.
 [[nodiscard]] std::optional<ChainPair> find_chain_pair(Points points);
 

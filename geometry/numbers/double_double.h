@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/numbers/interval.h"
 #include "geometry/point.h"
@@ -25,6 +26,11 @@ struct DoubleDouble {
 
 /// Relative error bound of one operation on non-negative numbers.
 inline constexpr double kDoubleDoubleError = 0x1p-100;
+
+/// Sums of the high parts of two double-doubles that differ by more than this share of themselves are in the order of
+/// the exact sums: each high part errs by 2^-53 of itself (the errors of the double-doubles are nothing to that), and
+/// so does their sum, so that 4.1 * 2^-53 would do.
+inline constexpr double kRoundedSumMargin = 0x1p-50;
 
 /// a + b exactly.
 [[nodiscard]] inline DoubleDouble exact_sum(double a, double b) {
@@ -88,7 +94,8 @@ inline DoubleDouble& operator+=(DoubleDouble& a, const DoubleDouble& b) { return
   DoubleDouble dx = exact_sum(p.x, -q.x);
   DoubleDouble dy = exact_sum(p.y, -q.y);
   const double size = std::max(std::abs(dx.high), std::abs(dy.high));
-  const bool squares_are_safe = size > 0x1p-400 && size < 0x1p400;
+  constexpr double kMaxSquarable = 0x1p400;  // squares within 2^-800 and 2^801: their low parts do not underflow
+  const bool squares_are_safe = size > 1 / kMaxSquarable && size < kMaxSquarable;
   if (squares_are_safe) return square_root(square(dx) + square(dy));
   if (size == 0) return {};
   const int exponent = std::ilogb(size);
@@ -104,9 +111,10 @@ inline DoubleDouble& operator+=(DoubleDouble& a, const DoubleDouble& b) { return
 /// than the double next to value.high.
 [[nodiscard]] inline Interval enclose(const DoubleDouble& value, double relative_error) {
   if (value.high == 0) return {};
-  const double steps_slack = relative_error / kDoubleDoubleError * 0x1p-1074;
-  const double slack = std::abs(value.high) * relative_error + steps_slack;
-  const bool steps_count = slack < 0x1p-1000;
+  constexpr double kStep = std::numeric_limits<double>::denorm_min();
+  constexpr double kMinSlackWithoutSteps = 0x1p-1000;  // 2^74 steps: a few more disappear in the sums below
+  const double slack = std::abs(value.high) * relative_error + relative_error / kDoubleDoubleError * kStep;
+  const bool steps_count = slack < kMinSlackWithoutSteps;
   if (steps_count) {
     const double reach = std::abs(value.low) + slack;
     const double lower = next_down(value.high - reach);

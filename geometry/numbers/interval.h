@@ -10,6 +10,11 @@ namespace mwt {
 [[nodiscard]] inline double next_up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 [[nodiscard]] inline double next_down(double x) { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
 
+/// An optimum counts as proved when its bounds are this close, relatively: far above the rounding of certified sums of
+/// lengths (2.3e-16, weight.h) and of linear programs' bounds (1e-14), far below any gap between different optima that
+/// could matter to alpha.
+inline constexpr double kProvedRelativeWidth = 1e-12;
+
 /// Invariant: lower <= true value <= upper.
 struct Interval {
   double lower = 0;

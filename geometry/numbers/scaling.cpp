@@ -7,6 +7,9 @@ namespace mwt {
 
 namespace {
 
+// Coordinates between 1 / kModerate and kModerate need no scaling: their products are far from over- and underflow.
+constexpr double kModerate = 0x1p100;
+
 bool survives(double x, int e) { return std::scalbn(std::scalbn(x, -e), e) == x; }
 
 }  // namespace
@@ -14,7 +17,7 @@ bool survives(double x, int e) { return std::scalbn(std::scalbn(x, -e), e) == x;
 int exact_scale(Points points) {
   double largest = 0;
   for (const Point& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const bool is_moderate = largest >= 0x1p-100 && largest <= 0x1p100;
+  const bool is_moderate = largest >= 1 / kModerate && largest <= kModerate;
   if (is_moderate || largest == 0) return 0;
   const int e = std::ilogb(largest);
   const bool is_exact =

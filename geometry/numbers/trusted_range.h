@@ -1,4 +1,4 @@
-// The ranges in which rounded arithmetic keeps its relative error bounds: what every floating-point filter stands on.
+// The ranges in which rounded arithmetic keeps its relative error bounds: the basis of every floating-point filter.
 //
 // A filter compares a rounded value with a margin that is a proven error bound and some room. Such bounds are relative
 // to the magnitudes of the terms, and hold as long as nothing overflows and no product underflows. (Sums and
@@ -8,6 +8,9 @@
 #pragma once
 
 namespace mwt {
+
+/// The largest magnitude of a coordinate that the program takes: beyond, sums of lengths overflow.
+inline constexpr double kMaxCoordinate = 1e300;
 
 /// Sums of products of two differences of coordinates: squared lengths, orientations, scalar products. `magnitude` is
 /// the sum of the products' rounded magnitudes; NaN and infinity are not trusted.
@@ -23,7 +26,11 @@ inline constexpr double kMaxTrustedProduct = 1e300;
 }
 
 /// The same for magnitudes of which up to three are multiplied: the results stay within 1e-270 and 1e270.
-[[nodiscard]] constexpr bool is_trusted_factor(double magnitude) { return magnitude > 1e-90 && magnitude < 1e90; }
+inline constexpr double kMinTrustedFactor = 1e-90;
+inline constexpr double kMaxTrustedFactor = 1e90;
+[[nodiscard]] constexpr bool is_trusted_factor(double magnitude) {
+  return magnitude > kMinTrustedFactor && magnitude < kMaxTrustedFactor;
+}
 
 /// Squared lengths that are rounded to float: far from where floats lose bits (2^-126 = 1.2e-38) or overflow (3.4e38),
 /// so that they err by 2^-24 of themselves, and so do their multiples by factors up to a million.

@@ -14,7 +14,6 @@ enum class Optimality {
   bounded,  ///< certified bounds, further apart than `proved` allows
   proved,   ///< relative width at most kProvedRelativeWidth, upper end witnessed by a checked triangulation
 };
-inline constexpr double kProvedRelativeWidth = 1e-12;
 
 [[nodiscard]] std::string_view name_of(Optimality optimality);
 [[nodiscard]] Optimality optimality_of(const std::optional<Interval>& optimum);

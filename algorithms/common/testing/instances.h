@@ -1,4 +1,4 @@
-// Small instances for the tests beside the algorithms, and what every test wants to know of a solution.
+// Small instances for the tests beside the algorithms, and checks of solutions that every test shares.
 #pragma once
 
 #include <gtest/gtest.h>

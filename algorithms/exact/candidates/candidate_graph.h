@@ -13,7 +13,7 @@ namespace mwt {
 /// The graph that the LMT-skeleton hands to the face solver: halfedges in compressed rows, one row (star) per vertex.
 ///
 /// Properties:
-///   (1) each edge stands in both ends' stars, none twice, no certain edge with a point in its interior;
+///   (1) each edge is in both ends' stars, none twice, no certain edge with a point in its interior;
 ///   (2) each star is in counter-clockwise cyclic order, exact, starting anywhere, no direction twice;
 ///   (3) some minimum weight triangulation uses candidates only and contains every certain edge;
 ///   (4) certain edges do not cross each other; hull edges (between neighbours on the boundary) are certain.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kGrain = 4096;
 
-// In larger stars edges are looked up by bisection, and each takes a look at the clock.
+// In larger stars edges are looked up by bisection, and the deadline is checked at each.
 constexpr std::size_t kLargeStar = 64;
 
 class Marking {
@@ -44,7 +44,7 @@ class Marking {
 
   struct Scratch {
     std::vector<Place> marked;  // edges that nothing known crosses, ascending
-    std::vector<Place> order;   // in which the star is gone through
+    std::vector<Place> order;   // in which the star is visited
   };
 
   template <class Body>
@@ -107,20 +107,21 @@ class Marking {
     if (graph_.star(w).size() < graph_.star(v).size()) std::swap(v, w);
     const auto star = graph_.star(v);
     if (star.size() <= kLargeStar) return std::find(star.begin(), star.end(), w) != star.end();
-    // The table's stars are sorted by target. They contain hidden edges as well: to believe in those is safe.
+    // The table's stars are sorted by target. They contain hidden edges as well, which is safe: they can only
+    // take the mark from more edges.
     const Star& sorted = stars_[v];
     return std::binary_search(sorted.target(), sorted.target() + sorted.count, w);
   }
 
-  void look_at_the_clock() const {
+  void check_deadline() const {
     if (context_.deadline_passed())
       throw SearchStopped(StopReason::deadline, "the deadline passed while marking certain edges");
   }
 
   // Every edge to a later point is certain until an edge yw between neighbours is found that crosses it.
   void mark_edges_from_smaller_end(Index s) {
-    constexpr Index kVerticesPerLook = 64;
-    if (s % kVerticesPerLook == 0) look_at_the_clock();
+    constexpr Index kVerticesPerCheck = 64;
+    if (s % kVerticesPerCheck == 0) check_deadline();
     Scratch& scratch = scratch_.local();
     const auto star = graph_.star(s);
     scratch.marked.clear();
@@ -132,13 +133,13 @@ class Marking {
     if (star.size() > kLargeStar) put_near_ones_first(s, scratch.order);
     for (const Place y : scratch.order) {
       if (scratch.marked.empty()) break;
-      if (star.size() > kLargeStar) look_at_the_clock();
+      if (star.size() > kLargeStar) check_deadline();
       unmark_edges_crossed_from(s, y, scratch.marked);
     }
     for (const Place t : scratch.marked) graph_.certain[graph_.first[s] + t] = 1;
   }
 
-  // Where long chains face each other, edges from the neighbours in the own chain cross nearly everything.
+  // Where long chains face each other, edges from neighbours in the same chain cross nearly everything.
   void put_near_ones_first(Index s, std::vector<Place>& order) const {
     const auto star = graph_.star(s);
     const auto near = order.begin() + std::min<std::ptrdiff_t>(8, std::ssize(order));

@@ -7,7 +7,7 @@
 
 namespace mwt {
 
-/// The graph of the edges left in `stars`, as the face solver wants it. An edge through another point is dropped: the
+/// The graph of the edges left in `stars`, for the face solver. An edge through another point is dropped: the
 /// nearer of two neighbours in exactly the same direction stays.
 ///
 /// An edge st is certain if no surviving edge yw between neighbours y, w of s crosses it. That suffices: were st

@@ -46,7 +46,7 @@ void expect_symmetric(const CandidateGraph& graph) {
   EXPECT_EQ(std::adjacent_find(forwards.begin(), forwards.end()), forwards.end()) << "an edge stands twice";
 }
 
-// Property (1), second half. The edges by x, so that only points between its ends are looked at.
+// Property (1), second half. The edges by x, so that only points between its ends are examined.
 void expect_no_point_on_edges(const CandidateGraph& graph) {
   const std::vector<Index> by_x = lexicographic_order(graph.points);
   std::vector<Index> rank(by_x.size());
@@ -219,14 +219,13 @@ TEST(CertainEdges, DropTheFartherOfTwoNeighboursInOneDirection) {
   const std::vector<Edge> edges{{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}, {0, 2}};
   StarTable table;
   table.stars.resize(points.size());
-  table.arenas.emplace_back(Star::words_for(8) * points.size() + StarTable::kSlack);
+  table.arenas.emplace_back(8 * points.size());
   for (Index v = 0; v < points.size(); ++v) {
     Star& star = table.stars[v];
-    star.words = table.arenas[0].data() + Star::words_for(8) * v;
-    star.capacity = 8;
+    star = table.arenas[0].allot(8);
     for (const auto& [a, b] : edges) {
-      if (a == v) star.target()[star.count++] = b;
-      if (b == v) star.target()[star.count++] = a;
+      if (a == v) star.append(b, 0, 0);
+      if (b == v) star.append(a, 0, 0);
     }
   }
   const CandidateGraph graph = mark_certain_edges(points, table, Context{});

@@ -25,18 +25,6 @@ std::uint16_t code_of(float distance) {
   return static_cast<std::uint16_t>(std::bit_cast<std::uint32_t>(distance) >> 16);
 }
 
-// Position on the circle of bins, as in diamond_kernels.cpp, for the corners of boxes.
-float bin_position(float raw_x, float raw_y) {
-  const float x = kBinTurnCosine * raw_x - kBinTurnSine * raw_y;
-  const float y = kBinTurnCosine * raw_y + kBinTurnSine * raw_x;
-  const float ax = std::abs(x), ay = std::abs(y);
-  const float t = std::min(ax, ay) / std::max(ax, ay);
-  float position = kBinsPerOctant * t * (kBinSlope - kBinCurve * t);
-  if (ay > ax) position = 2 * kBinsPerOctant - position;
-  if (x < 0) position = 4 * kBinsPerOctant - position;
-  return y < 0 ? kDirectionBins - position : position;
-}
-
 // A range of bins, first .. first + count - 1 around the circle.
 struct BinRange {
   int first;

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "geometry/predicates.h"
+#include "algorithms/exact/candidates/diamond_scalar.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "algorithms/exact/candidates/diamond_kernels.cpp"
@@ -25,9 +26,16 @@ using VectorI = hn::Vec<Int>;
 constexpr Float kFloat;
 constexpr Int kInt;
 
-constexpr float kMinSquare = kMinDistance * kMinDistance;
+// diamond_scalar.h has each of the functions below for one place, with comments on what is computed; those here are for
+// one vector of places, whose lanes compute exactly the same.
 
-// scale * (coordinates[i] - origin) for one vector of places, subtracted in double.
+struct MachineRounding {
+  static float multiply_add(float a, float b, float c) {
+    const hn::CappedTag<float, 1> one;
+    return hn::GetLane(hn::MulAdd(hn::Set(one, a), hn::Set(one, b), hn::Set(one, c)));
+  }
+};
+
 HWY_INLINE VectorF scaled_difference(const double* coordinates, double origin, double scale) {
 #if HWY_TARGET == HWY_SCALAR
   return hn::Set(kFloat, static_cast<float>((*coordinates - origin) * scale));
@@ -42,7 +50,7 @@ HWY_INLINE VectorF scaled_difference(const double* coordinates, double origin, d
 #endif
 }
 
-// Position of direction (x, y) on the circle of bins, in [0, kDirectionBins]; anything for the zero vector or NaN.
+// Anything for the zero vector or NaN.
 HWY_INLINE VectorF bin_position(VectorF raw_x, VectorF raw_y) {
   const auto cosine = hn::Set(kFloat, kBinTurnCosine), sine = hn::Set(kFloat, kBinTurnSine);
   const auto x = hn::NegMulAdd(sine, raw_y, hn::Mul(cosine, raw_x));
@@ -64,21 +72,13 @@ HWY_INLINE VectorI wrapped_bin(VectorF position) {
   return hn::IfThenElse(past_last, hn::Sub(bin, hn::Set(kInt, kDirectionBins)), bin);
 }
 
-// Squared distance of the nearest blocking point per bin, with kBlockingBins of the circle repeated before and after.
-struct NearestPerBin {
-  static constexpr int kMargin = 8;  // >= kBlockingBins
-  static constexpr int kDustbin = kMargin + kDirectionBins + kMargin;
-  alignas(64) float square[kDustbin + 24];
-};
-
 HWY_INLINE void find_nearest_per_bin(const NearPoints& near, int place, NearestPerBin& nearest) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  std::fill(std::begin(nearest.square), std::end(nearest.square), kInfinity);
+  nearest.clear();
   alignas(64) float squares[16];
   alignas(64) std::int32_t bins[16];
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
   const double px = near.x[static_cast<std::size_t>(place)], py = near.y[static_cast<std::size_t>(place)];
-  float* const bin_square = nearest.square + NearestPerBin::kMargin;
+  float* const bin_square = nearest.of_bin(0);
   for (int i = 0; i < near.places(); i += lanes) {
     const auto dx = scaled_difference(near.x.data() + i, px, near.scale);
     const auto dy = scaled_difference(near.y.data() + i, py, near.scale);
@@ -98,18 +98,14 @@ HWY_INLINE void find_nearest_per_bin(const NearPoints& near, int place, NearestP
       known = squares[lane] < known ? squares[lane] : known;
     }
   }
-  for (int i = 0; i < NearestPerBin::kMargin; ++i) {
-    nearest.square[i] = bin_square[kDirectionBins - NearestPerBin::kMargin + i];
-    bin_square[kDirectionBins + i] = bin_square[i];
-  }
+  nearest.repeat_around_the_circle();
 }
 
-// dead = the larger of what blocks on the left and on the right, as upper half of a float, rounded up.
 HWY_INLINE void store_dead_distances(const NearestPerBin& nearest, DeadDistances& dead) {
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
   alignas(64) std::uint32_t codes[64];
   for (int bin = 0; bin < kDirectionBins; bin += lanes) {
-    const float* const here = nearest.square + NearestPerBin::kMargin + bin;
+    const float* const here = nearest.of_bin(bin);
     auto left = hn::Set(kFloat, std::numeric_limits<float>::infinity());
     auto right = left;
     for (int j = 1; j <= kBlockingBins; ++j) {
@@ -133,12 +129,6 @@ void ComputeDeadDistances(const NearPoints& near, std::span<DeadDistances> of_le
   }
 }
 
-// The near points seen from one point p of the leaf.
-struct View {
-  alignas(64) float x[NearPoints::kCapacity];
-  alignas(64) float y[NearPoints::kCapacity];
-};
-
 HWY_INLINE void look_around(const NearPoints& near, int place, View& view) {
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
   const double px = near.x[static_cast<std::size_t>(place)], py = near.y[static_cast<std::size_t>(place)];
@@ -148,125 +138,109 @@ HWY_INLINE void look_around(const NearPoints& near, int place, View& view) {
   }
 }
 
-struct ScaledEdge {
-  float x;
-  float y;
-  float square;
-};
-
-// What near points too close to the line through an edge for floats do to it.
-struct ExactView {
-  bool is_occluded = false;  // one of them lies on the edge
-  bool blocks_left = false;
-  bool blocks_right = false;
-};
-
-// `suspects`: lanes with points whose distance from the line through pq is uncertain; `low`: those of them that surely
-// lie under the roof of the triangle on their side, whichever that is.
-ExactView look_exactly(const CandidateSearch& search, int first_place, std::uint64_t suspects, std::uint64_t low,
-                       Index p, Index q) {
-  ExactView view;
-  for (; suspects != 0 && !view.is_occluded; suspects &= suspects - 1) {
-    const int lane = __builtin_ctzll(suspects);
-    const auto place = static_cast<std::size_t>(first_place + lane);
-    const Point point{search.near.x[place], search.near.y[place]};
-    const int side = orientation(search.points[p], search.points[q], point);
-    const bool is_low = ((low >> lane) & 1U) != 0;
-    view.blocks_left |= is_low && side > 0;
-    view.blocks_right |= is_low && side < 0;
-    view.is_occluded = side == 0 && in_segment_interior(point, search.points[p], search.points[q]);
-  }
-  return view;
-}
-
 HWY_INLINE std::uint64_t bits_of(hn::Mask<Float> mask) {
   std::uint64_t bits = 0;
   hn::StoreMaskBits(kFloat, mask, reinterpret_cast<std::uint8_t*>(&bits));
   return bits & ((std::uint64_t{1} << hn::Lanes(kFloat)) - 1);
 }
 
-// Whether both triangles of the edge are occupied, or a near point lies on it; never for edges too short to say. Near
-// leaves farther than the edge is long cannot matter.
+// Adds the near points in `unsure` lanes, which start at `first_place`, one after the other.
+void add_exactly_each(const CandidateSearch& search, int first_place, std::uint64_t unsure, std::uint64_t low, Index p,
+                      Index q, Blocking& blocking) {
+  for (; unsure != 0; unsure &= unsure - 1) {
+    const int lane = __builtin_ctzll(unsure);
+    add_exactly(search, static_cast<std::size_t>(first_place + lane), ((low >> lane) & 1U) != 0, p, q, blocking);
+  }
+}
+
+HWY_INLINE void add_near_points(const CandidateSearch& search, const View& view, const ScaledEdge& edge, int place,
+                                Index p, Index q, Blocking& blocking) {
+  const auto ex = hn::Set(kFloat, edge.x), ey = hn::Set(kFloat, edge.y), square = hn::Set(kFloat, edge.square);
+  const auto margin = hn::Set(kFloat, kProductMargin * edge.square);
+  const auto tangent = hn::Set(kFloat, static_cast<float>(kTangentOfDiamondAngle));
+  const auto x = hn::Load(kFloat, view.x + place), y = hn::Load(kFloat, view.y + place);
+  const auto along = hn::MulAdd(ex, x, hn::Mul(ey, y));
+  const auto height = hn::NegMulAdd(ey, x, hn::Mul(ex, y));
+  const auto nearer_end = hn::Min(along, hn::Sub(square, along));
+  const auto roof = hn::Sub(hn::Mul(nearer_end, tangent), margin);
+  const auto depth = hn::Neg(height);
+  blocking.left |= !hn::AllFalse(kFloat, hn::And(hn::Gt(height, margin), hn::Lt(height, roof)));
+  blocking.right |= !hn::AllFalse(kFloat, hn::And(hn::Gt(depth, margin), hn::Lt(depth, roof)));
+  const auto unsure = hn::And(hn::Le(hn::Abs(height), margin), hn::Gt(nearer_end, hn::Zero(kFloat)));
+  if (hn::AllFalse(kFloat, unsure)) return;
+  add_exactly_each(search, place, bits_of(unsure), bits_of(hn::Gt(roof, margin)), p, q, blocking);
+}
+
 HWY_INLINE bool is_excluded(const CandidateSearch& search, const View& view, const ScaledEdge& edge, Index p, Index q) {
   if (edge.square <= kMinSquare) return false;
   const NearPoints& near = search.near;
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
-  const auto ex = hn::Set(kFloat, edge.x), ey = hn::Set(kFloat, edge.y), square = hn::Set(kFloat, edge.square);
-  // Rounding errors of the products below are under 1e-6 of the edge's square for points within two edge lengths.
-  const auto margin = hn::Set(kFloat, 4e-6F * edge.square);
-  const auto tangent = hn::Set(kFloat, static_cast<float>(kTangentOfDiamondAngle));
-  const float length = std::sqrt(edge.square) * 1.0001F;
-  auto left = hn::FirstN(kFloat, 0), right = left;
-  bool blocks_left = false, blocks_right = false;
+  const float length = std::sqrt(edge.square) * kLengthRoundUp;
+  Blocking blocking;
   for (int leaf = 0; leaf < near.leaves && near.distance[static_cast<std::size_t>(leaf)] < length; ++leaf) {
     const int end = (leaf + 1) * static_cast<int>(KdOrder::kMaxLeaf);
     for (int i = leaf * static_cast<int>(KdOrder::kMaxLeaf); i < end; i += lanes) {
-      const auto x = hn::Load(kFloat, view.x + i), y = hn::Load(kFloat, view.y + i);
-      const auto along = hn::MulAdd(ex, x, hn::Mul(ey, y));
-      const auto height = hn::NegMulAdd(ey, x, hn::Mul(ex, y));
-      const auto nearer_end = hn::Min(along, hn::Sub(square, along));
-      const auto roof = hn::Sub(hn::Mul(nearer_end, tangent), margin);
-      left = hn::Or(left, hn::And(hn::Gt(height, margin), hn::Lt(height, roof)));
-      const auto depth = hn::Neg(height);
-      right = hn::Or(right, hn::And(hn::Gt(depth, margin), hn::Lt(depth, roof)));
-      const auto suspects = hn::And(hn::Le(hn::Abs(height), margin), hn::Gt(nearer_end, hn::Zero(kFloat)));
-      if (hn::AllFalse(kFloat, suspects)) continue;
-      // Twice the margin under the roof: what is uncertain about the height does not matter there.
-      const ExactView exact = look_exactly(search, i, bits_of(suspects), bits_of(hn::Gt(roof, margin)), p, q);
-      if (exact.is_occluded) return true;
-      blocks_left |= exact.blocks_left;
-      blocks_right |= exact.blocks_right;
+      add_near_points(search, view, edge, i, p, q, blocking);
     }
-    blocks_left |= !hn::AllFalse(kFloat, left);
-    blocks_right |= !hn::AllFalse(kFloat, right);
-    if (blocks_left && blocks_right) return true;
+    if (blocking.on_edge || (blocking.left && blocking.right)) return true;
   }
   return false;
 }
 
-// Distances in bin of direction, for all lanes, from rows of codes.
-HWY_INLINE VectorF dead_distance(const std::uint16_t* codes, VectorI offset) {
+// The dead distances at these offsets from the first code.
+HWY_INLINE VectorF dead_distances(const std::uint16_t* codes, VectorI offset) {
   const auto bytes = hn::ShiftLeft<1>(offset);
   const auto pair = hn::GatherOffset(kInt, reinterpret_cast<const std::int32_t*>(codes), bytes);
   return hn::BitCast(kFloat, hn::ShiftLeft<16>(pair));
 }
 
+// The points of a leaf as structure of arrays. Places past the last one are NaN and so never part of a candidate.
+struct Partners {
+  alignas(64) double x[KdOrder::kMaxLeaf];
+  alignas(64) double y[KdOrder::kMaxLeaf];
+  int count;
+
+  Partners(Points points, Index first, Index last) : count(static_cast<int>(last - first)) {
+    std::fill(std::begin(x), std::end(x), std::numeric_limits<double>::quiet_NaN());
+    std::fill(std::begin(y), std::end(y), std::numeric_limits<double>::quiet_NaN());
+    for (Index i = 0; i < last - first; ++i) {
+      x[i] = points[first + i].x;
+      y[i] = points[first + i].y;
+    }
+  }
+};
+
+// Edges from p to the partners from `place` on, of which partner 0 is point `first`.
+HWY_INLINE hn::Mask<Float> is_within_dead_distances(const CandidateSearch& search, Index p, Index first, int place,
+                                                    int partners, VectorF dx, VectorF dy, VectorF square) {
+  // NaN lanes convert to any integer: clamp.
+  const auto bin =
+      hn::Min(hn::Max(wrapped_bin(bin_position(dx, dy)), hn::Zero(kInt)), hn::Set(kInt, kDirectionBins - 1));
+  const auto half = hn::Set(kInt, kDirectionBins / 2);
+  const auto opposite = hn::IfThenElse(hn::Lt(bin, half), hn::Add(bin, half), hn::Sub(bin, half));
+  const auto row = hn::Min(hn::Iota(kInt, place), hn::Set(kInt, partners - 1));
+  const auto here = dead_distances(search.dead[p].code.data(), bin);
+  const auto there = dead_distances(search.dead[first].code.data(), hn::Add(hn::ShiftLeft<6>(row), opposite));
+  const auto is_close = hn::Lt(hn::Sqrt(square), hn::Min(here, there));
+  return hn::Or(is_close, hn::Le(square, hn::Set(kFloat, kMinSquare)));
+}
+
 std::size_t AppendCandidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
   const NearPoints& near = search.near;
-  CandidatePair* const begin = out;
+  const Partners partners(search.points, first, last);
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
-  // The partners, as structure of arrays; lanes past the end are NaN and so never candidates.
-  alignas(64) double x[16], y[16];
-  const int partners = static_cast<int>(last - first);
-  for (int i = 0; i < 16; ++i) {
-    const bool exists = i < partners;
-    x[i] = exists ? search.points[first + static_cast<Index>(i)].x : std::numeric_limits<double>::quiet_NaN();
-    y[i] = exists ? search.points[first + static_cast<Index>(i)].y : std::numeric_limits<double>::quiet_NaN();
-  }
+  CandidatePair* const begin = out;
   View view;
   for (int place = 0; place < near.leaf_size; ++place) {
     const Index p = search.leaf_first + static_cast<Index>(place);
-    bool has_looked = false;
-    for (int i = 0; i < partners; i += lanes) {
-      const auto dx = scaled_difference(x + i, search.points[p].x, near.scale);
-      const auto dy = scaled_difference(y + i, search.points[p].y, near.scale);
+    bool has_view = false;
+    for (int i = 0; i < partners.count; i += lanes) {
+      const auto dx = scaled_difference(partners.x + i, search.points[p].x, near.scale);
+      const auto dy = scaled_difference(partners.y + i, search.points[p].y, near.scale);
       const auto square = hn::MulAdd(dx, dx, hn::Mul(dy, dy));
-      const auto distance = hn::Sqrt(square);
-      // NaN lanes convert to any integer: clamp.
-      const auto bin =
-          hn::Min(hn::Max(wrapped_bin(bin_position(dx, dy)), hn::Zero(kInt)), hn::Set(kInt, kDirectionBins - 1));
-      const auto opposite = hn::IfThenElse(hn::Lt(bin, hn::Set(kInt, kDirectionBins / 2)),
-                                           hn::Add(bin, hn::Set(kInt, kDirectionBins / 2)),
-                                           hn::Sub(bin, hn::Set(kInt, kDirectionBins / 2)));
-      const auto row = hn::Min(hn::Iota(kInt, i), hn::Set(kInt, partners - 1));
-      const auto dead_here = dead_distance(search.dead[p].code.data(), bin);
-      const auto dead_there = dead_distance(search.dead[first].code.data(), hn::Add(hn::ShiftLeft<6>(row), opposite));
-      const auto is_close = hn::Lt(distance, hn::Min(dead_here, dead_there));
-      const auto is_tiny = hn::Le(square, hn::Set(kFloat, kMinSquare));
-      const auto alive = hn::Or(is_close, is_tiny);
+      const auto alive = is_within_dead_distances(search, p, first, i, partners.count, dx, dy, square);
       if (hn::AllFalse(kFloat, alive)) continue;
-      if (!has_looked) look_around(near, place, view);
-      has_looked = true;
+      if (!std::exchange(has_view, true)) look_around(near, place, view);
       alignas(64) float dx_of[16], dy_of[16], square_of[16];
       hn::Store(dx, kFloat, dx_of);
       hn::Store(dy, kFloat, dy_of);
@@ -282,6 +256,14 @@ std::size_t AppendCandidates(const CandidateSearch& search, Index first, Index l
   return static_cast<std::size_t>(out - begin);
 }
 
+void ComputeDeadDistancesPlainly(const NearPoints& near, std::span<DeadDistances> of_leaf_points) {
+  ScalarDiamondTest<MachineRounding>::compute_dead_distances(near, of_leaf_points);
+}
+
+std::size_t AppendCandidatesPlainly(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
+  return ScalarDiamondTest<MachineRounding>::append_candidates(search, first, last, out);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace mwt
 HWY_AFTER_NAMESPACE();
@@ -291,6 +273,8 @@ namespace mwt {
 
 HWY_EXPORT(ComputeDeadDistances);
 HWY_EXPORT(AppendCandidates);
+HWY_EXPORT(ComputeDeadDistancesPlainly);
+HWY_EXPORT(AppendCandidatesPlainly);
 
 void compute_dead_distances(const NearPoints& near, std::span<DeadDistances> of_leaf_points) {
   HWY_DYNAMIC_DISPATCH(ComputeDeadDistances)(near, of_leaf_points);
@@ -298,6 +282,14 @@ void compute_dead_distances(const NearPoints& near, std::span<DeadDistances> of_
 
 std::size_t append_candidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
   return HWY_DYNAMIC_DISPATCH(AppendCandidates)(search, first, last, out);
+}
+
+void compute_dead_distances_plainly(const NearPoints& near, std::span<DeadDistances> of_leaf_points) {
+  HWY_DYNAMIC_DISPATCH(ComputeDeadDistancesPlainly)(near, of_leaf_points);
+}
+
+std::size_t append_candidates_plainly(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
+  return HWY_DYNAMIC_DISPATCH(AppendCandidatesPlainly)(search, first, last, out);
 }
 
 }  // namespace mwt

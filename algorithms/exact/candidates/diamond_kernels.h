@@ -1,4 +1,5 @@
-// The diamond test's inner loops, on vectors: chosen at run time for the machine's instruction set (Google Highway).
+// The diamond test's inner loops, on vectors: compiled once per instruction set, of which the program picks one when it
+// runs (Google Highway). diamond_scalar.h is the same algorithm in plain loops.
 #pragma once
 
 #include <array>
@@ -35,7 +36,7 @@ struct NearPoints {
   double scale = 1;  ///< power of two that brings the instance's extent near 2^60, so that squares of floats keep range
   int leaf_size = 0;  ///< points of the leaf itself: the first places
   int leaves = 0;
-  int samples = 0;  ///< further points, sparse ones from far away: they stand after the near leaves' places
+  int samples = 0;                        ///< further points, sparse ones from far away: placed after the near leaves
   std::array<float, kLeaves> distance{};  ///< scaled lower bound of the distance of each near leaf's box
   alignas(64) std::array<double, kCapacity + kSampleCapacity> x{};
   alignas(64) std::array<double, kCapacity + kSampleCapacity> y{};
@@ -64,5 +65,9 @@ struct CandidateSearch {
 /// exclude by the diamond test, and that no near point occludes (lies on). Returns how many; `out` must have room for
 /// all pairs.
 std::size_t append_candidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out);
+
+/// For tests: the same by the loops of diamond_scalar.h, with the rounding of the instruction set in use.
+void compute_dead_distances_plainly(const NearPoints& near, std::span<DeadDistances> of_leaf_points);
+std::size_t append_candidates_plainly(const CandidateSearch& search, Index first, Index last, CandidatePair* out);
 
 }  // namespace mwt

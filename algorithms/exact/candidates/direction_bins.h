@@ -1,4 +1,4 @@
-// 56 bins of directions around a point, and why a point in one bin says that edges in others are blocked.
+// 56 bins of directions around a point, and why a point in one bin blocks edges in others.
 //
 // The diamond test (Das and Joseph 1989; angle pi / 4.6 by Drysdale, McElfresh, Snoeyink, "On exclusion regions for
 // optimal triangulations", Discrete Applied Mathematics 109 (2001)): an edge of a minimum weight triangulation has, on
@@ -10,7 +10,11 @@
 // the figures below), so the nearest points per bin bound the lengths of all edges that may survive in a direction.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "algorithms/exact/candidates/float_rounding.h"
 
 namespace mwt {
 
@@ -38,5 +42,19 @@ inline constexpr float kBinTurnSine = 0.03492F;
 /// = sin(s + kDiamondAngle) / sin(kDiamondAngle) for the widest span s of j + 1 consecutive bins.
 inline constexpr std::array<float, kBlockingBins + 1> kBlockingFactor = {0,       1.2540F, 1.3557F,
                                                                          1.4395F, 1.5041F, 1.5497F};
+
+/// The position of a direction on the circle of bins, in [0, kDirectionBins]: bin b holds the positions from b to b
+/// + 1. Precondition: not the zero vector.
+template <class Rounding = RoundedTwice>
+[[nodiscard]] float bin_position(float raw_x, float raw_y) {
+  const float x = Rounding::multiply_add(-kBinTurnSine, raw_y, kBinTurnCosine * raw_x);
+  const float y = Rounding::multiply_add(kBinTurnSine, raw_x, kBinTurnCosine * raw_y);
+  const float ax = std::abs(x), ay = std::abs(y);
+  const float t = std::min(ax, ay) / std::max(ax, ay);
+  float position = t * Rounding::multiply_add(-kBinCurve, t, kBinSlope) * kBinsPerOctant;
+  if (ay > ax) position = 2 * kBinsPerOctant - position;
+  if (x < 0) position = 4 * kBinsPerOctant - position;
+  return y < 0 ? kDirectionBins - position : position;
+}
 
 }  // namespace mwt

@@ -13,9 +13,13 @@ namespace mwt {
 
 namespace {
 
-// How many times the distance of the nearest neighbour is far. Nearer edges the diamond test sees precisely enough.
+// Edges longer than this many times the distance of the nearest neighbour are far: for shorter ones the diamond test is
+// precise enough.
 constexpr float kFar = 100;
-constexpr std::size_t kWitnesses = 64;  // nearest neighbours that are looked at
+// A neighbour is a witness if the edge is at least this many times as long as its distance: it then lies under the
+// rising side of a diamond triangle if its direction is within the base angle, whatever is at the far end.
+constexpr float kWitnessRatio = 10;
+constexpr std::size_t kMaxWitnesses = 64;  // nearest neighbours that are examined
 
 struct Neighbour {
   float square;
@@ -24,7 +28,7 @@ struct Neighbour {
   Index vertex;
 };
 
-// By distance: the nearest first, up to kWitnesses of them in order. Those whose vectors floats cannot hold are left
+// By distance: the nearest first, up to kMaxWitnesses of them in order. Those whose vectors floats cannot hold are left
 // out.
 void collect_neighbours(const Star& star, std::vector<Neighbour>& neighbours) {
   neighbours.clear();
@@ -32,7 +36,7 @@ void collect_neighbours(const Star& star, std::vector<Neighbour>& neighbours) {
     const float x = star.x()[i], y = star.y()[i], square = x * x + y * y;
     if (!std::isnan(square)) neighbours.push_back({square, x, y, star.target()[i]});
   }
-  const auto end = neighbours.begin() + static_cast<std::ptrdiff_t>(std::min(neighbours.size(), kWitnesses));
+  const auto end = neighbours.begin() + static_cast<std::ptrdiff_t>(std::min(neighbours.size(), kMaxWitnesses));
   std::partial_sort(neighbours.begin(), end, neighbours.end(),
                     [](const Neighbour& a, const Neighbour& b) { return a.square < b.square; });
 }
@@ -45,9 +49,10 @@ class FarEdgeTest {
   // Whether both triangles of the edge to `far` hold a neighbour. Those at most a tenth as far away are under the
   // rising sides of the triangles if their direction is near enough to that of the edge.
   [[nodiscard]] bool is_excluded(const Neighbour& far) const {
-    const std::size_t count = std::min(neighbours_.size(), kWitnesses);
+    const std::size_t count = std::min(neighbours_.size(), kMaxWitnesses);
+    constexpr float kSquareRatio = kWitnessRatio * kWitnessRatio;
     bool left = false, right = false;
-    for (std::size_t i = 0; i < count && neighbours_[i].square * 100 < far.square && !(left && right); ++i) {
+    for (std::size_t i = 0; i < count && neighbours_[i].square * kSquareRatio < far.square && !(left && right); ++i) {
       const int side = side_of(far, neighbours_[i]);
       left = left || side > 0;
       right = right || side < 0;
@@ -58,7 +63,7 @@ class FarEdgeTest {
  private:
   // On which side of the edge a neighbour lies in the triangle; 0 if in neither, or if floats cannot tell.
   [[nodiscard]] int side_of(const Neighbour& far, const Neighbour& near) const {
-    constexpr float kMargin = 1e-5F;  // far above what products of floats lose
+    constexpr float kMargin = 1e-5F;  // relative; products of floats lose about 2e-7
     constexpr auto kTangent = static_cast<float>(kTangentOfDiamondAngle);
     const float along = far.x * near.x + far.y * near.y;
     const float height = far.x * near.y - far.y * near.x;
@@ -74,14 +79,9 @@ class FarEdgeTest {
 };
 
 void remove_target(Star& star, Index target) {
-  std::uint32_t* const end = star.target() + star.count;
-  const auto position = static_cast<std::size_t>(std::lower_bound(star.target(), end, target) - star.target());
-  if (position == star.count || star.target()[position] != target) return;
-  for (std::size_t row = 0; row < 4; ++row) {
-    std::uint32_t* const words = star.words + row * star.capacity;
-    std::copy(words + position + 1, words + star.count, words + position);
-  }
-  --star.count;
+  const auto targets = star.targets();
+  const auto place = std::lower_bound(targets.begin(), targets.end(), target);
+  if (place != targets.end() && *place == target) star.erase(static_cast<std::uint32_t>(place - targets.begin()));
 }
 
 bool has_far_edges(const Star& star) {

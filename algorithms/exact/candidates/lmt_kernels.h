@@ -1,4 +1,5 @@
-// The LMT-skeleton's inner loops, on vectors: chosen at run time for the machine's instruction set (Google Highway).
+// The LMT-skeleton's inner loops, on vectors: compiled once per instruction set, of which the program picks one when it
+// runs (Google Highway). lmt_scalar.h has the same functions in plain loops.
 #pragma once
 
 #include <cstdint>
@@ -35,9 +36,12 @@ struct HullEdges {
 /// change.
 ///
 /// All decisions are made in floats with error margins; what is uncertain, or not a number (Star::component), keeps the
-/// edge. After the context's deadline
-/// the remaining edges are kept unexamined.
+/// edge. After the context's deadline the remaining edges are kept unexamined.
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
                                              std::span<const CandidatePair> edges, const Context& context);
+
+/// For tests: the same by the loops of lmt_scalar.h, with the rounding of the instruction set in use.
+LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,
+                                                     std::span<const CandidatePair> edges, const Context& context);
 
 }  // namespace mwt

@@ -4,11 +4,12 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
+#include "algorithms/common/rows.h"
 #include "algorithms/exact/candidates/near_points.h"
 #include "algorithms/exact/search_stopped.h"
 
@@ -20,20 +21,18 @@ namespace {
 std::vector<CandidatePair> longest_first(Points points, double scale, const std::vector<CandidatePair>& pairs) {
   constexpr int kShift = 20;  // keeps a float's exponent and three bits of its mantissa
   constexpr std::size_t kBuckets = std::size_t{1} << (31 - kShift);
-  std::array<std::uint32_t, kBuckets + 1> first{};
   std::vector<std::uint16_t> bucket_of(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double x = (points[pairs[i].p].x - points[pairs[i].q].x) * scale;
     const double y = (points[pairs[i].p].y - points[pairs[i].q].y) * scale;
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(x * x + y * y));
-    const auto bucket = static_cast<std::uint16_t>(kBuckets - 1 - (bits >> kShift));
-    bucket_of[i] = bucket;
-    ++first[bucket + std::size_t{1}];
+    bucket_of[i] = static_cast<std::uint16_t>(kBuckets - 1 - (bits >> kShift));
   }
-  for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
-  std::vector<CandidatePair> sorted(pairs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) sorted[first[bucket_of[i]]++] = pairs[i];
-  return sorted;
+  return file_in_rows<CandidatePair>(kBuckets,
+                                     [&](const auto& file) {
+                                       for (std::size_t i = 0; i < pairs.size(); ++i) file(bucket_of[i], pairs[i]);
+                                     })
+      .values;
 }
 
 class LmtStage {
@@ -96,7 +95,7 @@ class LmtStage {
     if (context_.deadline_passed())
       throw SearchStopped(StopReason::deadline, "the deadline passed during the LMT stage");
     const std::uint32_t node = blocks_.first_block_node + block;
-    std::vector<std::uint32_t> arena = build_stars(node, block);
+    const StarArena arena = build_stars(node, block);
     NodeResult result;
     const auto edges = longest_first(order_.points, scale_, blocks_.inner[block]);
     blocks_.inner[block] = {};
@@ -107,7 +106,7 @@ class LmtStage {
     return result;
   }
 
-  std::vector<std::uint32_t> build_stars(std::uint32_t node, std::uint32_t block) {
+  StarArena build_stars(std::uint32_t node, std::uint32_t block) {
     const Index first = order_.first_of(node), last = order_.last_of(node);
     std::vector<Star>& stars = skeleton_.stars.stars;
     for (const auto& [p, q] : blocks_.inner[block]) {
@@ -116,14 +115,10 @@ class LmtStage {
     }
     for (const auto& [p, q] : blocks_.outer[block]) ++stars[p].capacity;
     for (const auto& [p, q] : incoming_[block]) ++stars[q].capacity;
-    std::size_t words = StarTable::kSlack;
-    for (Index v = first; v < last; ++v) words += Star::words_for(stars[v].capacity);
-    std::vector<std::uint32_t> arena(words);
-    std::uint32_t* place = arena.data();
-    for (Index v = first; v < last; ++v) {
-      stars[v].words = place;
-      place += Star::words_for(stars[v].capacity);
-    }
+    std::size_t halfedges = 0;
+    for (Index v = first; v < last; ++v) halfedges += stars[v].capacity;
+    StarArena arena(halfedges);
+    for (Index v = first; v < last; ++v) stars[v] = arena.allot(stars[v].capacity);
     // In this order each star's targets ascend, as CandidateBlocks promises.
     for (const auto& [p, q] : incoming_[block]) append(q, p);
     for (const auto& [p, q] : blocks_.inner[block]) {
@@ -132,37 +127,24 @@ class LmtStage {
     }
     for (const auto& [p, q] : blocks_.outer[block]) append(p, q);
     assert(std::all_of(stars.begin() + first, stars.begin() + last,
-                       [](const Star& star) { return std::is_sorted(star.target(), star.target() + star.count); }));
+                       [](const Star& star) { return std::ranges::is_sorted(star.targets()); }));
     return arena;
   }
 
   void append(Index from, Index to) {
-    Star& star = skeleton_.stars.stars[from];
-    const std::uint32_t i = star.count++;
-    star.target()[i] = to;
-    star.x()[i] = Star::component(order_.points[to].x - order_.points[from].x, scale_);
-    star.y()[i] = Star::component(order_.points[to].y - order_.points[from].y, scale_);
-    star.certificate()[i] = Star::kNoCertificate;
+    const Point &p = order_.points[from], &q = order_.points[to];
+    skeleton_.stars.stars[from].append(to, Star::component(q.x - p.x, scale_), Star::component(q.y - p.y, scale_));
   }
 
   // Moves the block's stars into an arena of their present size.
   void compact_stars(std::uint32_t node, std::uint32_t block) {
     const Index first = order_.first_of(node), last = order_.last_of(node);
     std::vector<Star>& stars = skeleton_.stars.stars;
-    std::size_t words = StarTable::kSlack;
-    for (Index v = first; v < last; ++v) words += Star::words_for(stars[v].count);
-    std::vector<std::uint32_t>& arena = skeleton_.stars.arenas[block];
-    arena.resize(words);
-    std::uint32_t* place = arena.data();
-    for (Index v = first; v < last; ++v) {
-      Star& star = stars[v];
-      for (std::size_t row = 0; row < 4; ++row) {
-        std::copy_n(star.words + row * star.capacity, star.count, place + row * star.count);
-      }
-      star.words = place;
-      star.capacity = star.count;
-      place += Star::words_for(star.count);
-    }
+    std::size_t halfedges = 0;
+    for (Index v = first; v < last; ++v) halfedges += stars[v].count;
+    StarArena arena(halfedges);
+    for (Index v = first; v < last; ++v) stars[v] = compact_copy(stars[v], arena);
+    skeleton_.stars.arenas[block] = std::move(arena);
   }
 
   const KdOrder& order_;

@@ -8,8 +8,8 @@
 
 #include "algorithms/common/testing/extreme_points.h"
 #include "algorithms/common/testing/solver_testing.h"
-#include "algorithms/exact/naive_candidates.h"
 #include "algorithms/exact/search_stopped.h"
+#include "algorithms/exact/testing/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
 #include "geometry/numbers/scaling.h"
 
@@ -52,15 +52,6 @@ TEST(LmtSkeleton, ContainsTheOptimumAtTheLimitsOfFloats) {
   }
 }
 
-TEST(Star, HoldsComponentsThatFloatsCanMultiply) {
-  EXPECT_EQ(Star::component(0, 0x1p60), 0);
-  EXPECT_EQ(Star::component(-3, 0x1p58), -0x3p58F);
-  EXPECT_EQ(Star::component(0x1p-110, 0x1p60), Star::kMinComponent);
-  EXPECT_TRUE(std::isnan(Star::component(0x1.fffp-111, 0x1p60)));
-  EXPECT_TRUE(std::isnan(Star::component(-0x1p-1074, 0x1p60)));
-  EXPECT_TRUE(std::isnan(Star::component(0x1p-1074, 0x1p-900))) << "the product is 0";
-}
-
 TEST(LmtSkeletonSlow, ContainsTheOptimum) {
   for (const auto& [name, points] : instances_of_all_families({60}, 4)) {
     SCOPED_TRACE(name);
@@ -68,8 +59,9 @@ TEST(LmtSkeletonSlow, ContainsTheOptimum) {
   }
 }
 
-// By definition: of the candidates, those that are locally minimal in a quadrilateral of survivors, points inside
-// triangles asked of all points, exactly. The stage may keep more (its floats are uncertain), never fewer.
+// By definition: of the candidates, those that are locally minimal in a quadrilateral of survivors, with
+// exact tests of all points for being inside a triangle. The stage may keep more (its floats are uncertain), never
+// fewer.
 TEST(LmtSkeleton, KeepsAllLocallyMinimalEdges) {
   for (const auto& [name, points] : instances_of_all_families({10, 20})) {
     SCOPED_TRACE(name);

@@ -8,15 +8,17 @@
 namespace mwt {
 
 double distance_scale(const KdOrder& order) {
+  constexpr int kScaledExponent = 60;      // squares of scaled distances then stay below 2^125, which floats hold
+  constexpr int kMaxScaleExponent = 1000;  // the scale itself is a finite double
   const Box& box = order.boxes[1];
   const double extent = std::max(box.max_x - box.min_x, box.max_y - box.min_y);
-  return std::ldexp(1.0, std::min(60 - std::ilogb(extent), 1000));
+  return std::ldexp(1.0, std::min(kScaledExponent - std::ilogb(extent), kMaxScaleExponent));
 }
 
 float box_distance(const Box& a, const Box& b, double scale) {
   const double x = std::max({0.0, a.min_x - b.max_x, b.min_x - a.max_x}) * scale;
   const double y = std::max({0.0, a.min_y - b.max_y, b.min_y - a.max_y}) * scale;
-  constexpr double kRoundDown = 1 - 1e-6;
+  constexpr double kRoundDown = 1 - 1e-6;  // the conversion to float errs by 2^-24 = 6e-8 of the distance
   return static_cast<float>(std::sqrt(x * x + y * y) * kRoundDown);
 }
 

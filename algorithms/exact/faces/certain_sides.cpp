@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/common/rows.h"
 #include "geometry/undirected_edges.h"
 
 namespace mwt {
@@ -18,28 +19,23 @@ class StraddleCount {
       : graph_(graph), place_(graph.points.size()), count_(graph.target.size(), 0) {}
 
   std::vector<std::uint32_t> run(std::span<const Triangle> triangles) {
-    file_angles(triangles);
+    const Rows<Edge> angles = angles_at_corners(triangles);
     for (Index v = 0; v < graph_.points.size(); ++v) {
       const auto star = graph_.star(v);
       for (std::uint32_t i = 0; i < star.size(); ++i) place_[star[i]] = i;
-      for (std::uint32_t i = first_[v]; i < first_[v + std::size_t{1}]; ++i) count_inside(v, angles_[i]);
+      for (const Edge& angle : angles[v]) count_inside(v, angle);
     }
     return std::move(count_);
   }
 
  private:
   // At a corner: from the edge to a counter-clockwise to the edge to b.
-  void file_angles(std::span<const Triangle> triangles) {
-    first_.assign(graph_.points.size() + 1, 0);
-    for (const Triangle& triangle : triangles) {
-      for (const Index corner : triangle) ++first_[corner + std::size_t{1}];
-    }
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    angles_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (const Triangle& triangle : triangles) {
-      for (int i = 0; i < 3; ++i) angles_[next[triangle[static_cast<std::size_t>(i)]]++] = directed_edge(triangle, i);
-    }
+  [[nodiscard]] Rows<Edge> angles_at_corners(std::span<const Triangle> triangles) const {
+    return file_in_rows<Edge>(graph_.points.size(), [&](const auto& file) {
+      for (const Triangle& triangle : triangles) {
+        for (int i = 0; i < 3; ++i) file(triangle[static_cast<std::size_t>(i)], directed_edge(triangle, i));
+      }
+    });
   }
 
   void count_inside(Index v, const Edge& angle) {
@@ -50,8 +46,6 @@ class StraddleCount {
   }
 
   const CandidateGraph& graph_;
-  std::vector<std::uint32_t> first_;  // angles at v: angles_[first_[v]] .. angles_[first_[v + 1]]
-  std::vector<Edge> angles_;
   std::vector<std::uint32_t> place_;  // in the star at hand, by the other end
   std::vector<std::uint32_t> count_;
 };

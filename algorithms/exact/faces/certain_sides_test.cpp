@@ -7,7 +7,7 @@
 
 #include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/faces/consistent_triangles.h"
-#include "algorithms/exact/naive_candidates.h"
+#include "algorithms/exact/testing/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
 #include "algorithms/triangle_lp/empty_triangles.h"
 

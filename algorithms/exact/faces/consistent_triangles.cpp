@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
+#include "algorithms/common/rows.h"
 #include "geometry/predicates.h"
 
 namespace mwt {
@@ -53,42 +53,37 @@ class Consistency {
   }
   [[nodiscard]] const Point& apex_of(Side side) const { return points_[triangles_[side / 3][side % 3]]; }
 
-  // All sides, sorted by their directed edge: counted by its first end, then sorted by the second.
+  // All sides, sorted by their directed edge.
   void file_sides() {
-    first_of_.assign(points_.size() + 1, 0);
-    for (Side side = 0; side < next_.size(); ++side) ++first_of_[edge_of(side).a + 1];
-    std::partial_sum(first_of_.begin(), first_of_.end(), first_of_.begin());
-    filed_.resize(next_.size());
-    std::vector<std::uint32_t> next(first_of_.begin(), first_of_.end() - 1);
-    for (Side side = 0; side < next_.size(); ++side) {
-      const Edge edge = edge_of(side);
-      filed_[next[edge.a]++] = {edge.b, side};
-    }
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-      std::sort(filed_.begin() + first_of_[v], filed_.begin() + first_of_[v + 1]);
-    }
+    filed_ = file_in_rows<FiledSide>(points_.size(), [&](const auto& file) {
+      for (Side side = 0; side < next_.size(); ++side) file(edge_of(side).a, {edge_of(side).b, side});
+    });
+    for (std::size_t v = 0; v < points_.size(); ++v) std::sort(filed_[v].begin(), filed_[v].end());
   }
 
   // The places of the sides that are this directed edge.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> places_of(const Edge& edge) const {
-    const auto begin = filed_.begin() + first_of_[edge.a];
-    const auto end = filed_.begin() + first_of_[edge.a + 1];
-    const auto [from, to] = std::equal_range(
-        begin, end, FiledSide{edge.b, 0}, [](const auto& one, const auto& other) { return one.first < other.first; });
-    return {static_cast<std::uint32_t>(from - filed_.begin()), static_cast<std::uint32_t>(to - filed_.begin())};
+    const std::span<const FiledSide> row = std::as_const(filed_)[edge.a];
+    const auto [from, to] =
+        std::equal_range(row.begin(), row.end(), FiledSide{edge.b, 0},
+                         [](const auto& one, const auto& other) { return one.first < other.first; });
+    const std::uint32_t first = filed_.first[edge.a];
+    return {first + static_cast<std::uint32_t>(from - row.begin()),
+            first + static_cast<std::uint32_t>(to - row.begin())};
   }
 
   // For each side the range of sides on its other side; an empty range that starts at kNone on the boundary.
   void match_sides(std::span<const Edge> boundary) {
     std::vector<Edge> sorted_boundary(boundary.begin(), boundary.end());
     std::sort(sorted_boundary.begin(), sorted_boundary.end());
-    for (std::size_t i = 0; i < filed_.size();) {
-      const Edge edge = edge_of(filed_[i].second);
+    const std::vector<FiledSide>& filed = filed_.values;
+    for (std::size_t i = 0; i < filed.size();) {
+      const Edge edge = edge_of(filed[i].second);
       const auto [from, to] = places_of({edge.b, edge.a});
       const bool is_boundary = std::binary_search(sorted_boundary.begin(), sorted_boundary.end(), edge);
-      for (; i < filed_.size() && edge_of(filed_[i].second) == edge; ++i) {
-        next_[filed_[i].second] = is_boundary ? kNone : from;
-        end_[filed_[i].second] = to;
+      for (; i < filed.size() && edge_of(filed[i].second) == edge; ++i) {
+        next_[filed[i].second] = is_boundary ? kNone : from;
+        end_[filed[i].second] = to;
       }
     }
   }
@@ -97,7 +92,7 @@ class Consistency {
   void find_support(Side side) {
     if (next_[side] == kNone || is_dropped_[side / 3]) return;
     for (std::uint32_t& i = next_[side]; i < end_[side]; ++i) {
-      const Side across = filed_[i].second;
+      const Side across = filed_.values[i].second;
       if (is_dropped_[across / 3] || !fit(side, across)) continue;
       next_supported_[side] = supported_[across / 3];
       supported_[across / 3] = side;
@@ -119,9 +114,8 @@ class Consistency {
   Points points_;
   std::span<const Triangle> triangles_;
   std::vector<bool> is_dropped_;
-  std::vector<FiledSide> filed_;
-  std::vector<std::uint32_t> first_of_;  // sides from v: filed_[first_of_[v]] .. filed_[first_of_[v + 1]]
-  std::vector<std::uint32_t> next_;      // by side: place in filed_ of its present support
+  Rows<FiledSide> filed_;            // sides by the first end of their directed edge
+  std::vector<std::uint32_t> next_;  // by side: place in filed_.values of its present support
   std::vector<std::uint32_t> end_;
   std::vector<Side> supported_;       // by triangle: head of the list of sides that it supports
   std::vector<Side> next_supported_;  // by side

@@ -133,7 +133,7 @@ class CrossingSearch {
   std::vector<Box> boxes_;        // by node: node i has children 2i and 2i + 1
 };
 
-// Takes out the values at these positions, which are ascending.
+// Removes the values at these positions, which ascend.
 template <class Value>
 void close_gaps(std::vector<Value>& values, const std::vector<std::uint32_t>& positions) {
   if (positions.empty()) return;
@@ -150,14 +150,14 @@ void close_gaps(std::vector<Value>& values, const std::vector<std::uint32_t>& po
 
 std::optional<std::vector<Edge>> find_crossing_candidates(const CandidateGraph& graph, std::span<const Edge> suspects,
                                                           const Deadline& deadline) {
-  constexpr std::size_t kSuspectsPerLookAtTheClock = 64;
+  constexpr std::size_t kSuspectsPerDeadlineCheck = 64;
   std::vector<Edge> crossing;
   if (suspects.empty()) return crossing;
   const CrossingSearch search(graph);
   std::vector<std::uint8_t> is_crossed(suspects.size());
   std::atomic<bool> is_late = false;
   tbb::parallel_for(std::size_t{0}, suspects.size(), [&](std::size_t i) {
-    if (i % kSuspectsPerLookAtTheClock == 0 && has_passed(deadline)) is_late = true;
+    if (i % kSuspectsPerDeadlineCheck == 0 && has_passed(deadline)) is_late = true;
     if (!is_late) is_crossed[i] = search.is_crossed(suspects[i].a, suspects[i].b) ? 1 : 0;
   });
   if (is_late) return {};

@@ -23,7 +23,7 @@ namespace mwt {
                                                                         std::span<const Edge> suspects,
                                                                         const Deadline& deadline = {});
 
-/// Deletes `edges`, which stand in the graph. O(graph) moves of memory and the stars of their ends.
+/// Deletes `edges`, which are in the graph. O(graph) moves of memory and the stars of their ends.
 void remove_edges(CandidateGraph& graph, std::span<const Edge> edges);
 
 }  // namespace mwt

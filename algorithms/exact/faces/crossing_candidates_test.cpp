@@ -7,7 +7,7 @@
 
 #include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/faces/face_solver.h"
-#include "algorithms/exact/naive_candidates.h"
+#include "algorithms/exact/testing/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
 #include "geometry/checker.h"
 

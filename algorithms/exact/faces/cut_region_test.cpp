@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "algorithms/common/testing/solver_testing.h"
-#include "algorithms/exact/naive_candidates.h"
+#include "algorithms/exact/testing/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
 
 namespace mwt {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "algorithms/exact/faces/region_solver.h"
-#include "algorithms/exact/naive_candidates.h"
+#include "algorithms/exact/testing/naive_candidates.h"
 #include "geometry/checker.h"
 
 namespace mwt {

@@ -26,8 +26,6 @@ namespace mwt {
 
 namespace {
 
-constexpr double kProvedRelativeWidth = 1e-12;
-
 // Vertices per parallel task.
 constexpr std::size_t kBlock = 4096;
 

@@ -15,13 +15,13 @@ namespace mwt {
 struct FaceSolution {
   std::vector<Triangle> triangles;  ///< of all faces, in the graph's indices; a complete triangulation
   Interval optimum;                 ///< certified bounds on the weight of a minimum weight triangulation of the points
-  bool proved = false;              ///< every face solved and relative width of `optimum` at most 1e-12
+  bool proved = false;              ///< every face solved and relative width of `optimum` at most kProvedRelativeWidth
 
   std::uint64_t faces = 0;                ///< that are no triangles
   std::uint64_t max_face = 0;             ///< edges on the longest boundary walk, both sides of slits counted
   std::uint64_t dp_cells = 0;             ///< intervals whose optimum was computed
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums of roots that doubles could not decide
-  std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart
+  std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision could compare
   std::uint64_t faces_with_holes = 0;     ///< or isolated vertices
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
@@ -35,13 +35,13 @@ struct FaceSolution {
 ///
 /// Precondition: the graph's properties (1) to (4); where a violation shows, std::logic_error. SearchStopped with a
 /// lower bound, if the deadline passes before the faces are known.
-/// Ties: equal triangulations of a face are told from different ones exactly, and of equal ones the same is kept
-/// always. Uses context.threads, but no more than there are cores; the triangles, their order and the bounds do not
-/// depend on it. Failure mode: polygons of more than 32 edges and faces with holes that context.deadline leaves over,
-/// and faces with holes of more than kMaximumProgramTriangles empty triangles, are filled with a constrained Delaunay
-/// triangulation and contribute a simple lower bound: the result is valid, `optimum` certified and wide, `proved`
-/// false. Time for faces of bounded size O(n), about a third of a Delaunay triangulation on two cores; an L-gon with
-/// all its diagonals takes O(L^3). Space O(n + candidates).
+/// Ties: equality of two triangulations of a face is decided exactly, and of equal ones always the same is kept. Uses
+/// context.threads, but no more than there are cores; the triangles, their order and the bounds do not depend on it.
+/// Failure mode: polygons of more than 32 edges and faces with holes that context.deadline leaves over, and faces with
+/// holes of more than kMaximumProgramTriangles empty triangles, are filled with a constrained Delaunay triangulation
+/// and contribute a simple lower bound: the result is valid, `optimum` certified and wide, `proved` false. Time for
+/// faces of bounded size O(n), about a third of a Delaunay triangulation on two cores; an L-gon with all its diagonals
+/// takes O(L^3). Space O(n + candidates).
 [[nodiscard]] FaceSolution solve_faces(CandidateGraph graph, Context& context);
 
 }  // namespace mwt

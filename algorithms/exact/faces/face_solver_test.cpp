@@ -8,8 +8,8 @@
 #include <random>
 
 #include "algorithms/exact/exact.h"
-#include "algorithms/exact/naive_candidates.h"
 #include "algorithms/exact/search_stopped.h"
+#include "algorithms/exact/testing/naive_candidates.h"
 #include "geometry/checker.h"
 #include "geometry/weight.h"
 

@@ -15,37 +15,11 @@ bool leads_to(const CandidateGraph& graph, const Corner& corner, Index target) {
   return false;
 }
 
-FaceWalker::FaceWalker(const CandidateGraph& graph) : graph_(graph) { sort_large_stars(); }
-
-void FaceWalker::sort_large_stars() {
-  large_first_.push_back(0);
-  for (Index v = 0; v < graph_.points.size(); ++v) {
-    if (graph_.first[v + 1] - graph_.first[v] <= kLargeStar) continue;
-    large_.push_back(v);
-    for (std::uint32_t h = graph_.first[v]; h < graph_.first[v + 1]; ++h)
-      large_stars_.emplace_back(graph_.target[h], h);
-    std::sort(large_stars_.begin() + static_cast<std::ptrdiff_t>(large_first_.back()), large_stars_.end());
-    large_first_.push_back(large_stars_.size());
-  }
-}
-
 std::uint32_t FaceWalker::halfedge_between(Index vertex, Index neighbour) const {
-  const std::uint32_t begin = graph_.first[vertex];
-  const std::uint32_t end = graph_.first[vertex + 1];
-  if (end - begin <= kLargeStar) {
-    std::uint32_t h = begin;
-    while (h < end && graph_.target[h] != neighbour) ++h;
-    if (h == end) throw std::logic_error("candidate graph: an edge stands in one of its ends' stars only");
-    return h;
-  }
-  const auto star = static_cast<std::size_t>(std::lower_bound(large_.begin(), large_.end(), vertex) - large_.begin());
-  const auto from = large_stars_.begin() + static_cast<std::ptrdiff_t>(large_first_[star]);
-  const auto to = large_stars_.begin() + static_cast<std::ptrdiff_t>(large_first_[star + 1]);
-  const auto found = std::lower_bound(from, to, std::pair<Index, std::uint32_t>(neighbour, 0));
-  if (found == to || found->first != neighbour) {
-    throw std::logic_error("candidate graph: an edge stands in one of its ends' stars only");
-  }
-  return found->second;
+  const auto star = graph_.star(vertex);
+  const auto place = std::find(star.begin(), star.end(), neighbour);
+  if (place == star.end()) throw std::logic_error("candidate graph: an edge is in the star of one of its ends only");
+  return graph_.first[vertex] + static_cast<std::uint32_t>(place - star.begin());
 }
 
 // The next corner of a walk that arrives at `to`: clockwise from the edge it came by to the next certain one.

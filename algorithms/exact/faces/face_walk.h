@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "algorithms/exact/candidates/candidate_graph.h"
@@ -40,11 +39,10 @@ enum class WalkEnd {
 /// Finds a face's corners in counter-clockwise order. A walk around an inner component of a face goes clockwise around
 /// the component: the face is always on the left.
 ///
-/// Constant time per step for bounded stars; logarithmic in stars of more than kLargeStar halfedges, for which the
-/// constructor sorts a copy. Const functions may be called from several threads.
+/// Time per step linear in the star. The functions may be called from several threads.
 class FaceWalker {
  public:
-  explicit FaceWalker(const CandidateGraph& graph);
+  explicit FaceWalker(const CandidateGraph& graph) : graph_(graph) {}
 
   /// The corners of the walk along certain halfedge `start` of vertex `from`, the start's own corner last. `corners` is
   /// complete only if the walk closed.
@@ -64,18 +62,12 @@ class FaceWalker {
   /// The number of points on the hull's boundary. O(hull).
   [[nodiscard]] std::size_t outer_face_size() const;
 
-  static constexpr std::uint32_t kLargeStar = 64;
-
  private:
   [[nodiscard]] std::uint32_t halfedge_between(Index vertex, Index neighbour) const;
   [[nodiscard]] Corner corner_after(Index from, Index to) const;
   [[nodiscard]] Corner some_corner_of_outer_face() const;
-  void sort_large_stars();
 
   const CandidateGraph& graph_;
-  std::vector<Index> large_;  ///< vertices with large stars, ascending
-  std::vector<std::size_t> large_first_;
-  std::vector<std::pair<Index, std::uint32_t>> large_stars_;  ///< (target, halfedge), sorted within a star
 };
 
 }  // namespace mwt

@@ -18,7 +18,7 @@ namespace mwt {
 /// Exact: equal lengths cancel; what remains are roots of integers after scaling by a power of two. Roots of integers
 /// are linearly independent over the rationals unless the product of two of them is a perfect square (A. S.
 /// Besicovitch, "On the linear independence of fractional powers of integers", J. London Math. Soc. 15 (1940)), which
-/// decides equality; sums that differ are told apart with integer roots of 256, 1024, ... bits behind the point.
+/// decides equality; sums that differ are compared by integer roots of 256, 1024, ... bits behind the point.
 /// Failure mode: nothing, if 2^14 such bits are not enough; no such sums are known.
 ///
 /// O(m log m) comparisons of lengths for m edges; what does not cancel costs O(m^2) integer roots.

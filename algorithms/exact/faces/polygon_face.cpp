@@ -1,7 +1,6 @@
 #include "algorithms/exact/faces/polygon_face.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -17,17 +16,15 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNoPosition = std::numeric_limits<std::uint32_t>::max();
 
-// Up to this many corners a vertex's position is found by looking at all of them.
+// Faces of up to this many corners are solved whatever the time.
 constexpr std::size_t kSmallFace = 32;
 
-// What a sum of two values' high parts may be above the least such sum without being surely worse. Each value rounded
-// to double errs by 2^-53 of itself (its own error of 2^-80 or less disappears in the slack), so does their sum:
-// two sums that differ by more than 4.1 * 2^-53 of themselves are in true order. Among sums that underflow all are
-// close.
+// The largest sum of two values' high parts that is not surely worse than the least such sum. Among sums that underflow
+// all are close.
 double close_above(double least) {
   if (least == 0) return 0;
   if (least < kMinTrustedLength) return std::numeric_limits<double>::max();
-  return least + least * 0x1p-50;
+  return least + least * kRoundedSumMargin;
 }
 
 }  // namespace
@@ -35,7 +32,6 @@ double close_above(double least) {
 PolygonFaceOutcome PolygonFaceSolver::solve(std::span<const Corner> corners, const Deadline& deadline,
                                             FaceTriangles& result) {
   corners_ = corners;
-  if (corners.size() == 4) return solve_quadrilateral(result);
   if (!collect_cells()) return PolygonFaceOutcome::not_a_polygon;
   lay_out_backward_cells();
   const PolygonFaceOutcome outcome = compute_cells(deadline);
@@ -47,30 +43,11 @@ bool PolygonFaceSolver::turns_left(const Triangle& triangle) const {
   return orientation(graph_.points[triangle[0]], graph_.points[triangle[1]], graph_.points[triangle[2]]) > 0;
 }
 
-PolygonFaceOutcome PolygonFaceSolver::solve_quadrilateral(FaceTriangles& result) {
-  const auto [a, b, c, d] = std::array{corners_[0].vertex, corners_[1].vertex, corners_[2].vertex, corners_[3].vertex};
-  const bool has_ac = leads_to(graph_, corners_[0], c) && leads_to(graph_, corners_[2], a);
-  const bool has_bd = leads_to(graph_, corners_[1], d) && leads_to(graph_, corners_[3], b);
-  const std::uint32_t diagonals = static_cast<std::uint32_t>(has_ac) + static_cast<std::uint32_t>(has_bd);
-  std::uint32_t halfedges = 0;
-  for (const Corner& corner : corners_) halfedges += corner.candidates;
-  if (diagonals == 0 || halfedges != 2 * diagonals) return PolygonFaceOutcome::not_a_polygon;
-  counters_.cells += diagonals;
-  const bool take_ac = has_ac && (!has_bd || compare_edge_lengths(graph_.points, {a, c}, {b, d}) <= 0);
-  const std::array<Triangle, 2> triangles =
-      take_ac ? std::array<Triangle, 2>{{{a, b, c}, {a, c, d}}} : std::array<Triangle, 2>{{{a, b, d}, {b, c, d}}};
-  if (!turns_left(triangles[0]) || !turns_left(triangles[1])) return PolygonFaceOutcome::not_a_polygon;
-  result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
-  const Edge diagonal = take_ac ? Edge{a, c} : Edge{b, d};
-  result.diagonals.add(graph_.points[diagonal.a], graph_.points[diagonal.b]);
-  return PolygonFaceOutcome::solved;
-}
-
 // Counter-clockwise around a corner its candidates end at ascending positions, those behind the corner's own last. If
 // every candidate is found from its first end, the candidates' halfedges in all corners are twice as many.
 bool PolygonFaceSolver::collect_cells() {
   const auto size = static_cast<Position>(corners_.size());
-  if (size > kSmallFace) collect_positions_of_vertices();
+  collect_positions_of_vertices();
   passed_.assign(size, 0);
   first_.clear();
   to_.clear();
@@ -114,12 +91,6 @@ bool PolygonFaceSolver::leads_back(Position position, Index partner) {
 
 // The corner of `vertex` behind position `after` that the edge from `partner` reaches.
 PolygonFaceSolver::Position PolygonFaceSolver::find_position(Index vertex, Position after, Index partner) {
-  if (corners_.size() <= kSmallFace) {
-    for (Position p = after + 1; p < corners_.size(); ++p) {
-      if (corners_[p].vertex == vertex && leads_back(p, partner)) return p;
-    }
-    return kNoPosition;
-  }
   const auto first_behind = std::pair(vertex, after + 1);
   for (auto it = std::lower_bound(positions_.begin(), positions_.end(), first_behind);
        it != positions_.end() && it->first == vertex; ++it) {
@@ -170,32 +141,20 @@ void PolygonFaceSolver::compute_row(Position from) {
   for (Cell cell = first_[from]; cell < first_[from + 1]; ++cell) row_value_[to_[cell]] = kInfinity;
 }
 
-// Calls visit(option, sum of the values' high parts) for each apex: by the shorter of the two lists to go through. Only
-// cells of the row before `cell` have been computed.
+// Calls visit(option, sum of the values' high parts) for each apex; the sum is infinite where the row has no cell.
 template <class Visit>
-void PolygonFaceSolver::for_each_option(Position from, Cell cell, Visit visit) const {
+void PolygonFaceSolver::for_each_option(Cell cell, Visit visit) const {
   const Position to = to_[cell];
-  const auto begin = backward_.begin() + backward_first_[to];
-  const auto end = backward_.begin() + backward_end_[to];
-  const std::size_t in_row = cell - first_[from];
-  if (16 * in_row >= static_cast<std::size_t>(end - begin)) {
-    for (auto it = begin; it != end; ++it) {
-      const double sum = row_value_[it->apex] + it->value;
-      visit(Option{row_cell_[it->apex], it->cell}, sum);
-    }
-    return;
-  }
-  for (Cell left = cell; left-- > first_[from];) {
-    const Position apex = to_[left];
-    const auto it = std::partition_point(begin, end, [&](const BackwardCell& b) { return b.apex > apex; });
-    if (it != end && it->apex == apex) visit(Option{left, it->cell}, row_value_[apex] + it->value);
+  for (Cell i = backward_first_[to]; i < backward_end_[to]; ++i) {
+    const BackwardCell& right = backward_[i];
+    visit(Option{row_cell_[right.apex], right.cell}, row_value_[right.apex] + right.value);
   }
 }
 
 bool PolygonFaceSolver::find_best_option(Position from, Cell cell, Option& best) {
   double least = kInfinity;
   double second = kInfinity;
-  for_each_option(from, cell, [&](const Option& option, double sum) {
+  for_each_option(cell, [&](const Option& option, double sum) {
     if (sum < least) {
       second = least;
       least = sum;
@@ -213,7 +172,7 @@ bool PolygonFaceSolver::find_best_option(Position from, Cell cell, Option& best)
 PolygonFaceSolver::Option PolygonFaceSolver::best_of_close_options(Position from, Cell cell, double threshold) {
   std::optional<Option> best;
   close_.clear();
-  for_each_option(from, cell, [&](const Option& option, double sum) {
+  for_each_option(cell, [&](const Option& option, double sum) {
     if (sum <= threshold) close_.push_back(option);
   });
   for (const Option& option : close_) {

@@ -26,7 +26,7 @@ struct FaceTriangles {
 struct PolygonFaceCounters {
   std::uint64_t cells = 0;                ///< intervals whose optimum was computed
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums that doubles could not decide
-  std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision told apart
+  std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision could compare
 };
 
 enum class PolygonFaceOutcome {
@@ -39,8 +39,8 @@ enum class PolygonFaceOutcome {
 /// Solves faces one after the other in the same memory. Not for concurrent use: one object per thread.
 ///
 /// Exact: each interval's best apex is found in doubles with a proven error bound, what that leaves open is compared in
-/// double-double arithmetic, and what that leaves open by compare_length_sums(). Of equal options the same one is
-/// kept always.
+/// double-double arithmetic, and what that leaves open by compare_length_sums(). Of equal options, always the same
+/// one is kept.
 ///
 /// For L corners and m candidates O(L + m) space; time O(L + m) for small faces, in general the sum over the candidates
 /// of the candidates at one of their ends.
@@ -58,7 +58,7 @@ class PolygonFaceSolver {
   using Position = std::uint32_t;
   using Cell = std::uint32_t;
 
-  // A cell (apex, j) as the cells (i, j) with i < apex see it.
+  // A cell (apex, j), the right part of cells (i, j) with i < apex.
   struct BackwardCell {
     Position apex;
     Cell cell;
@@ -69,12 +69,12 @@ class PolygonFaceSolver {
     Cell left = 0;
     Cell right = 0;
   };
-  struct Interval {
+  // A cell and the position its interval begins at.
+  struct PlacedCell {
     Position from;
     Cell cell;
   };
 
-  PolygonFaceOutcome solve_quadrilateral(FaceTriangles& result);
   [[nodiscard]] bool collect_cells();
   void collect_positions_of_vertices();
   [[nodiscard]] bool leads_back(Position position, Index partner);
@@ -86,7 +86,7 @@ class PolygonFaceSolver {
   [[nodiscard]] Option best_of_close_options(Position from, Cell cell, double threshold);
   [[nodiscard]] int compare_options(Position from, const Option& one, const Option& other);
   template <class Visit>
-  void for_each_option(Position from, Cell cell, Visit visit) const;
+  void for_each_option(Cell cell, Visit visit) const;
   void collect_diagonals(Position from, const Option& option, std::vector<Edge>& edges);
   [[nodiscard]] bool emit(FaceTriangles& result);
   [[nodiscard]] bool turns_left(const Triangle& triangle) const;
@@ -100,7 +100,7 @@ class PolygonFaceSolver {
   PolygonFaceCounters counters_;
 
   std::span<const Corner> corners_;
-  std::vector<std::pair<Index, Position>> positions_;  // of the vertices, sorted; large faces only
+  std::vector<std::pair<Index, Position>> positions_;  // of the vertices, sorted
   std::vector<std::uint32_t> passed_;                  // by position: its candidates up to the last one found
 
   // Cells (i, j), i < j, row by row, ascending j: boundary edges and candidates.
@@ -119,7 +119,7 @@ class PolygonFaceSolver {
   std::vector<Cell> row_cell_;
 
   std::vector<Option> close_;
-  std::vector<Interval> stack_;
+  std::vector<PlacedCell> stack_;
   std::vector<Edge> one_;
   std::vector<Edge> other_;
 };

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/common/testing/solver_testing.h"
-#include "algorithms/exact/naive_candidates.h"
+#include "algorithms/exact/testing/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
 
 namespace mwt {

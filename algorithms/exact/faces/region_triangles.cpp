@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <numeric>
+#include <utility>
 
+#include "algorithms/common/rows.h"
 #include "geometry/predicates.h"
 #include "geometry/undirected_edges.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// An edge as one of its ends sees it.
+// An edge in the star of one of its ends.
 struct Spoke {
   Index to = 0;
   std::uint32_t under = 0;  // points under the edge
@@ -22,7 +23,7 @@ struct Spoke {
   bool arrives = false;     // or directed towards here
 };
 
-// Left, right, under and between are meant as a sweep in lexicographic order sees them: a point is under an edge if it
+// Left, right, under and between refer to a sweep in lexicographic order: a point is under an edge if it
 // lies between its ends in that order and to the right of the edge directed upwards.
 class TriangleSearch {
  public:
@@ -34,22 +35,17 @@ class TriangleSearch {
     std::sort(sorted_sides.begin(), sorted_sides.end());
     const std::vector<Edge> edges = undirected_edges(sorted_sides);
     std::vector<std::uint32_t> under;
-    first_.assign(points_.size() + 1, 0);
     for (const Edge& edge : edges) {
       if (has_passed(deadline)) return false;
       under.push_back(count_under(edge));
-      if (under.back() == kNone) continue;
-      ++first_[edge.a + 1];
-      ++first_[edge.b + 1];
     }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
     file_spokes(sorted_sides, edges, under);
     return true;
   }
 
   // Appends the triangles whose smallest corner is a.
   void find_from(Index a, std::vector<Triangle>& triangles) {
-    const auto star = star_of(a);
+    const std::span<const Spoke> star = std::as_const(spokes_)[a];
     for (std::uint32_t i = 0; i < star.size(); ++i) place_of_[star[i].to] = i;
     for (const Spoke& ab : star) {
       if (ab.leaves && ab.to > a) find_left_of(a, ab, triangles);
@@ -58,23 +54,19 @@ class TriangleSearch {
   }
 
  private:
-  [[nodiscard]] std::span<const Spoke> star_of(Index v) const {
-    return std::span(spokes_).subspan(first_[v], first_[v + 1] - first_[v]);
-  }
-
   void file_spokes(const std::vector<Edge>& sides, const std::vector<Edge>& edges,
                    const std::vector<std::uint32_t>& under) {
     const auto is_side = [&](const Edge& edge) { return std::binary_search(sides.begin(), sides.end(), edge); };
-    spokes_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      if (under[i] == kNone) continue;
-      const auto [a, b] = edges[i];
-      const bool forward = is_side({a, b});
-      const bool backward = is_side({b, a});
-      spokes_[next[a]++] = {b, under[i], forward, backward};
-      spokes_[next[b]++] = {a, under[i], backward, forward};
-    }
+    spokes_ = file_in_rows<Spoke>(points_.size(), [&](const auto& file) {
+      for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (under[i] == kNone) continue;
+        const auto [a, b] = edges[i];
+        const bool forward = is_side({a, b});
+        const bool backward = is_side({b, a});
+        file(a, {b, under[i], forward, backward});
+        file(b, {a, under[i], backward, forward});
+      }
+    });
   }
 
   // kNone if a point lies on the edge.
@@ -89,8 +81,8 @@ class TriangleSearch {
   }
 
   void find_left_of(Index a, const Spoke& ab, std::vector<Triangle>& triangles) const {
-    const auto star = star_of(a);
-    for (const Spoke& bc : star_of(ab.to)) {
+    const std::span<const Spoke> star = spokes_[a];
+    for (const Spoke& bc : spokes_[ab.to]) {
       const std::uint32_t place = place_of_[bc.to];
       if (!bc.leaves || bc.to < a || place == kNone || !star[place].arrives) continue;
       const std::uint32_t under_ac = star[place].under;
@@ -103,8 +95,7 @@ class TriangleSearch {
   }
 
   Points points_;
-  std::vector<Spoke> spokes_;
-  std::vector<std::size_t> first_;       // spokes of v: [first_[v], first_[v + 1])
+  Rows<Spoke> spokes_;                   // by end
   std::vector<std::uint32_t> place_of_;  // in the star at hand, by its other end
 };
 
