@@ -66,13 +66,12 @@ AlphaGrowth alpha_growth_by_family(const Runs& rows, ClaimDetails& details) {
 Finding judge_insertion_logarithmic(const StudyRecords& records) {
   Finding finding;
   finding.rows = finished_runs(records, [](const RunRecord& run) {
-    return run.algorithm == "hull_insertion" && named_value(run.params, "order") == "index" && run.n >= kMinInsertionN &&
-           run.alpha_lower;
+    return run.algorithm == "hull_insertion" && named_value(run.params, "order") == "index" &&
+           run.n >= kMinInsertionN && run.alpha_lower;
   });
   const AlphaGrowth growth = alpha_growth_by_family(finding.rows, finding.details);
-  finding.missing =
-      "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " + std::to_string(kMinInsertionN) +
-      ", with a certified alpha";
+  finding.missing = "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " +
+                    std::to_string(kMinInsertionN) + ", with a certified alpha";
   if (finding.details.rows.empty()) return finding;
   finding.missing =
       "nowhere does alpha surely outgrow log n, nor is that excluded everywhere (see the intervals of alpha / log n); "
