@@ -102,18 +102,20 @@ Triangulation constrained_delaunay_triangulation(Points points, std::span<const 
   return result;
 }
 
+double time_delaunay_once_s(Points points) {
+  const std::vector<Kernel::Point_2> cgal_points = to_cgal(points);
+  const double start = process_cpu_time_s();
+  const CGAL::Delaunay_triangulation_2<Kernel> triangulation(cgal_points.begin(), cgal_points.end());
+  const double time = process_cpu_time_s() - start;
+  if (triangulation.dimension() < 0) throw std::logic_error("the Delaunay time needs points");
+  return time;
+}
+
 double measure_delaunay_time_s(Points points) {
   constexpr double kReadable = 1e-3;  // the clock may tick in microseconds
-  const std::vector<Kernel::Point_2> cgal_points = to_cgal(points);
   double total = 0;
   int repetitions = 0;
-  while (total < kReadable) {
-    const double start = process_cpu_time_s();
-    const CGAL::Delaunay_triangulation_2<Kernel> triangulation(cgal_points.begin(), cgal_points.end());
-    total += process_cpu_time_s() - start;
-    ++repetitions;
-    if (triangulation.dimension() < 0) throw std::logic_error("the Delaunay time needs points");
-  }
+  for (; total < kReadable; ++repetitions) total += time_delaunay_once_s(points);
   return total / repetitions;
 }
 

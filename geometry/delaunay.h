@@ -15,6 +15,9 @@ namespace mwt {
 /// Preconditions: as above; no two constraints cross, none passes through a point, otherwise std::logic_error.
 [[nodiscard]] Triangulation constrained_delaunay_triangulation(Points points, std::span<const Edge> constraints);
 
+/// CPU seconds of one construction of CGAL's Delaunay triangulation. Precondition: at least one point.
+[[nodiscard]] double time_delaunay_once_s(Points points);
+
 /// The Delaunay time: processor seconds that CGAL::Delaunay_triangulation_2<Epick>(first, last) takes on `points`, one
 /// thread, no vertex info, destruction excluded. One measurement, on few points the mean over a millisecond's worth;
 /// callers take the median of seven interleaved ones.

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# clang-tidy over every source that is not a test, with the compile commands of build/release: minutes. *_kernels.cpp are
+# clang-tidy over every source that is not a test: minutes. *_kernels.cpp are
 # left out: Google Highway compiles them once per instruction set, with macros that clang-tidy does not follow.
 #   setup/check_tidy.sh [FILE...]   these sources only
 set -euo pipefail
@@ -10,8 +10,10 @@ if [ $# -gt 0 ]; then
 else
   mapfile -t sources < <(find base geometry generators algorithms harness -name '*.cpp' ! -name '*_test.cpp' ! -path '*/testing/*' ! -name '*_kernels.cpp' | sort)
 fi
+# The preset that compiles each source by itself; no build is needed.
+cmake --preset sanitize >/dev/null
 found=$(printf '%s\0' "${sources[@]}" |
-  xargs -0 -n 4 -P "$(nproc)" clang-tidy --quiet -p build/release 2>/dev/null) || {
+  xargs -0 -n 4 -P "$(nproc)" clang-tidy --quiet -p build/sanitize 2>/dev/null) || {
   printf '%s\n' "$found" >&2
   echo "tidy: mend what is named above, or switch the check off in .clang-tidy with the reason" >&2
   exit 1

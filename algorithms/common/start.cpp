@@ -40,7 +40,7 @@ void change_delaunay(PlanarMesh& mesh, const Context& context, const std::string
 }
 
 // What the algorithm yields with its default parameters.
-Triangulation result_of(const AlgorithmInfo& algorithm, Points points, const Context& context) {
+Triangulation start_by(const AlgorithmInfo& algorithm, Points points, const Context& context) {
   Context own;
   own.seed = context.seed;
   own.threads = context.threads;
@@ -49,9 +49,9 @@ Triangulation result_of(const AlgorithmInfo& algorithm, Points points, const Con
 }
 
 Triangulation other_start(Points points, const Context& context, const std::string& name) {
-  if (name == "sweep") return result_of(sweep_entry(), points, context);
-  if (name == "quadtree") return result_of(quadtree_entry(), points, context);
-  if (name == "hull_insertion") return result_of(hull_insertion_entry(), points, context);
+  if (name == "sweep") return start_by(sweep_entry(), points, context);
+  if (name == "quadtree") return start_by(quadtree_entry(), points, context);
+  if (name == "hull_insertion") return start_by(hull_insertion_entry(), points, context);
   if (context.start) return *context.start;
   throw InputError("parameter start=" + name + " names neither an algorithm nor a file with a triangulation");
 }

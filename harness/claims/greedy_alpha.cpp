@@ -115,7 +115,7 @@ std::string missing_of(const std::vector<double>& values) {
   return "the interval for the share of instances inside 1.1-1.5 holds one half; more instances would narrow it";
 }
 
-Finding judge(const StudyRecords& records) {
+Finding judge_greedy_alpha(const StudyRecords& records) {
   Finding finding;
   finding.rows =
       one_per_instance(rated_runs(records, [](const RunRecord& run) { return is_greedy(run) && is_typical(run); }));
@@ -145,7 +145,7 @@ Claim greedy_alpha() {
       "refuted if below, (better than claimed) if most of the others lie below 1.1; undecided with fewer than 30 "
       "instances or if it holds one half",
       "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm greedy --with-optimum",
-      judge};
+      judge_greedy_alpha};
 }
 
 }  // namespace mwt::claims

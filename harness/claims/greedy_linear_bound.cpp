@@ -23,7 +23,7 @@ std::optional<Steepest> steepest_of(const Runs& runs) {
   return steepest;
 }
 
-Finding judge(const StudyRecords& records) {
+Finding judge_greedy_linear_bound(const StudyRecords& records) {
   Finding finding;
   finding.rows = rated_runs(records, is_greedy);
   const std::optional<Steepest> steepest = steepest_of(finding.rows);
@@ -57,7 +57,7 @@ Claim greedy_linear_bound() {
           "most "
           "1; refuted: its lower limit is above 1; otherwise undecided",
           "mwt generate greedy_corridor --n 1000 -o p.csv && mwt solve p.csv --algorithm greedy --with-optimum",
-          judge};
+          judge_greedy_linear_bound};
 }
 
 }  // namespace mwt::claims

@@ -13,7 +13,7 @@ std::optional<double> hull_weight(const RunRecord& run) { return named_number(ru
 // In certified ends only: w(T0) > w(T*) for sure.
 bool contradicts(const RunRecord& run) { return *hull_weight(run) > *run.optimum_upper; }
 
-Finding judge(const StudyRecords& records) {
+Finding judge_hull_lower_bound(const StudyRecords& records) {
   Finding finding;
   finding.rows = rated_runs(records, [](const RunRecord& run) {
     return run.algorithm == "hull_insertion" && hull_weight(run) && run.optimum_upper;
@@ -49,7 +49,7 @@ Claim hull_lower_bound() {
       "refuted: the certified lower end of w(T0) exceeds the upper end of the optimum somewhere; holds: nowhere",
       "mwt generate hull_bound_counterexample -o p.csv && mwt solve p.csv --algorithm hull_insertion --with-optimum "
       "--json",
-      judge};
+      judge_hull_lower_bound};
 }
 
 }  // namespace mwt::claims

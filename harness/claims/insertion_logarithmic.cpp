@@ -10,8 +10,8 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kMinN = 50;
-constexpr double kClearGrowth = 0.05;
+constexpr Index kMinInsertionN = 50;
+constexpr double kClearAlphaGrowth = 0.05;
 
 // The lower ends: certified by any known triangulation, so that they show growth even where no optimum is proved.
 std::optional<double> alpha(const RunRecord& run) { return run.alpha_lower; }
@@ -39,7 +39,7 @@ std::string false_steps(const Runs& runs) {
 }
 
 // What all families come to.
-struct Growth {
+struct AlphaGrowth {
   bool beyond_log = false;  // somewhere alpha outgrows log n
   bool nowhere_beyond_log = true;
   std::string steepest;  // the family where alpha grows fastest
@@ -47,13 +47,13 @@ struct Growth {
   std::string on_uniform;
 };
 
-Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
-  Growth growth;
+AlphaGrowth alpha_growth_by_family(const Runs& rows, ClaimDetails& details) {
+  AlphaGrowth growth;
   details.header = {"family", "sizes", "alpha ~ n^e: e (95%)", "alpha / log n ~ n^e: e (95%)", "largest alpha"};
   for (const auto& [family, runs] : by_growing_family(rows)) {
     const auto law = growth_of(runs, alpha), over_log = growth_of(runs, alpha_over_log);
     if (!law || !over_log) continue;
-    growth.beyond_log = growth.beyond_log || over_log->exponent.lower > kClearGrowth;
+    growth.beyond_log = growth.beyond_log || over_log->exponent.lower > kClearAlphaGrowth;
     growth.nowhere_beyond_log = growth.nowhere_beyond_log && over_log->exponent.upper <= 0 && are_proved(runs);
     details.rows.push_back({family, size_range(runs), exponent_text(*law), exponent_text(*over_log),
                             significant(*largest(runs).alpha_lower, 4)});
@@ -63,16 +63,15 @@ Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
   return growth;
 }
 
-Finding judge(const StudyRecords& records) {
+Finding judge_insertion_logarithmic(const StudyRecords& records) {
   Finding finding;
   finding.rows = finished_runs(records, [](const RunRecord& run) {
-    return run.algorithm == "hull_insertion" && named_value(run.params, "order") == "index" && run.n >= kMinN &&
-           run.alpha_lower;
+    return run.algorithm == "hull_insertion" && named_value(run.params, "order") == "index" &&
+           run.n >= kMinInsertionN && run.alpha_lower;
   });
-  const Growth growth = growth_by_family(finding.rows, finding.details);
-  finding.missing =
-      "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " + std::to_string(kMinN) +
-      ", with a certified alpha";
+  const AlphaGrowth growth = alpha_growth_by_family(finding.rows, finding.details);
+  finding.missing = "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " +
+                    std::to_string(kMinInsertionN) + ", with a certified alpha";
   if (finding.details.rows.empty()) return finding;
   finding.missing =
       "nowhere does alpha surely outgrow log n, nor is that excluded everywhere (see the intervals of alpha / log n); "
@@ -100,7 +99,7 @@ Claim insertion_logarithmic() {
       "on each family alpha / log n is fitted as a power of n: refuted if somewhere the exponent's lower 95% limit "
       "exceeds 0.05; holds if everywhere the upper limit is at most 0 and all optima are proved; otherwise undecided",
       "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm hull_insertion --with-optimum",
-      judge};
+      judge_insertion_logarithmic};
 }
 
 }  // namespace mwt::claims

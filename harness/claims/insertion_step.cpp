@@ -10,8 +10,8 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kMinN = 20;
-constexpr double kClearGrowth = 0.05;
+constexpr Index kMinStepN = 20;
+constexpr double kClearStepGrowth = 0.05;
 // In the unit square an insertion adds three edges of at most sqrt 2 each.
 constexpr double kMaxInUnitSquare = 3 * std::numbers::sqrt2;
 constexpr const char* kUnitSquare = "uniform";
@@ -34,8 +34,8 @@ double max_increase(const Runs& runs) {
   return largest;
 }
 
-struct Growth {
-  bool knows_unit_square = false;
+struct StepGrowth {
+  bool has_unit_square = false;
   bool holds_in_unit_square = false;
   bool fails_in_unit_square = false;
   bool fails_elsewhere = false;
@@ -43,8 +43,8 @@ struct Growth {
   double exponent = 0;
 };
 
-Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
-  Growth growth;
+StepGrowth step_growth_by_family(const Runs& rows, ClaimDetails& details) {
+  StepGrowth growth;
   details.header = {"family", "sizes", "increase ~ n^e: e (95%)", "increase / log n ~ n^e: e (95%)",
                     "largest mean increase"};
   for (const auto& [family, runs] : by_growing_family(rows)) {
@@ -53,9 +53,9 @@ Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
     const double largest = max_increase(runs);
     details.rows.push_back(
         {family, size_range(runs), exponent_text(*law), exponent_text(*over_log), significant(largest, 4)});
-    const bool fails = over_log->exponent.lower > kClearGrowth;
+    const bool fails = over_log->exponent.lower > kClearStepGrowth;
     if (family == kUnitSquare) {
-      growth.knows_unit_square = true;
+      growth.has_unit_square = true;
       growth.fails_in_unit_square = fails;
       growth.holds_in_unit_square = over_log->exponent.upper <= 0 && largest <= kMaxInUnitSquare;
     } else if (fails) {
@@ -66,18 +66,18 @@ Growth growth_by_family(const Runs& rows, ClaimDetails& details) {
   return growth;
 }
 
-Finding judge(const StudyRecords& records) {
+Finding judge_insertion_step(const StudyRecords& records) {
   Finding finding;
   finding.rows = finished_runs(records, [](const RunRecord& run) {
-    return run.algorithm == "hull_insertion" && run.n >= kMinN && increase(run);
+    return run.algorithm == "hull_insertion" && run.n >= kMinStepN && increase(run);
   });
-  const Growth growth = growth_by_family(finding.rows, finding.details);
+  const StepGrowth growth = step_growth_by_family(finding.rows, finding.details);
   const auto groups = by_family(finding.rows);
   const auto unit_square = groups.find(kUnitSquare);
   finding.missing = std::string("finished runs of hull_insertion on ") + kUnitSquare +
-                    " at three sizes, from n = " + std::to_string(kMinN);
+                    " at three sizes, from n = " + std::to_string(kMinStepN);
   if (unit_square == groups.end()) return finding;
-  if (growth.knows_unit_square)
+  if (growth.has_unit_square)
     finding.missing = "in the unit square growth is neither sure nor excluded; larger sizes would tell";
   if (growth.fails_in_unit_square) {
     finding.verdict = ClaimVerdict::refuted;
@@ -107,7 +107,7 @@ Claim insertion_step() {
       "95% limit exceeds 0.05); ill-posed if it does not grow there but does elsewhere, for then the answer depends on "
       "the unit of length; holds if it grows nowhere; otherwise undecided",
       "mwt generate jittered_grid --n 1000 -o p.csv && mwt solve p.csv --algorithm hull_insertion --json",
-      judge};
+      judge_insertion_step};
 }
 
 }  // namespace mwt::claims

@@ -11,7 +11,7 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kMinN = 20;
+constexpr Index kMinSearchN = 20;
 constexpr double kProbability = 0.5;  // the claim: above 1 - delta, delta at most one half
 // The report's own, from the harder end; then harder questions.
 constexpr std::array<double, 4> kEpsilons = {0.1, 0.2, 0.01, 0.001};
@@ -63,10 +63,10 @@ Summary add_rows(const std::map<Cell, Runs>& cells, double epsilon, ClaimDetails
   return summary;
 }
 
-Finding judge(const StudyRecords& records) {
+Finding judge_local_search_probability(const StudyRecords& records) {
   Finding finding;
   finding.rows = rated_runs(records, [](const RunRecord& run) {
-    return run.algorithm == "flip_naive" && run.generator == "uniform" && run.n >= kMinN &&
+    return run.algorithm == "flip_naive" && run.generator == "uniform" && run.n >= kMinSearchN &&
            named_value(run.params, "improvement") == "first";
   });
   if (finding.rows.empty()) return finding;
@@ -105,7 +105,7 @@ Claim local_search_probability() {
           "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm flip_naive --param "
           "start=sweep "
           "--with-optimum",
-          judge};
+          judge_local_search_probability};
 }
 
 }  // namespace mwt::claims

@@ -10,10 +10,10 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kMinN = 20;
-constexpr std::size_t kMinInstances = 30;
+constexpr Index kMinQuadtreeN = 20;
+constexpr std::size_t kMinQuadtreeInstances = 30;
 constexpr double kGood = 1.5;  // the upper end of what the report calls near-optimal of greedy
-constexpr double kClearGrowth = 0.05;
+constexpr double kClearQuadtreeGrowth = 0.05;
 
 std::optional<PowerLaw> growth_on_uniform(const Runs& runs) {
   const auto groups = by_family(runs);
@@ -22,29 +22,29 @@ std::optional<PowerLaw> growth_on_uniform(const Runs& runs) {
   return growth_of(uniform->second, [](const RunRecord& run) { return run.alpha_upper; });
 }
 
-ClaimVerdict verdict_of(const std::vector<double>& values, const PowerLaw& growth) {
-  if (quantile(values, 0.95) > kGood || growth.exponent.lower > kClearGrowth) return ClaimVerdict::refuted;
-  return growth.exponent.upper <= kClearGrowth ? ClaimVerdict::holds : ClaimVerdict::undecided;
+ClaimVerdict quadtree_verdict(const std::vector<double>& values, const PowerLaw& growth) {
+  if (quantile(values, 0.95) > kGood || growth.exponent.lower > kClearQuadtreeGrowth) return ClaimVerdict::refuted;
+  return growth.exponent.upper <= kClearQuadtreeGrowth ? ClaimVerdict::holds : ClaimVerdict::undecided;
 }
 
-std::string missing_of(std::size_t instances, const std::optional<PowerLaw>& growth) {
-  if (instances < kMinInstances)
-    return std::to_string(instances) + " instances, " + std::to_string(kMinInstances) + " are needed";
+std::string quadtree_missing(std::size_t instances, const std::optional<PowerLaw>& growth) {
+  if (instances < kMinQuadtreeInstances)
+    return std::to_string(instances) + " instances, " + std::to_string(kMinQuadtreeInstances) + " are needed";
   if (!growth) return "rated runs on uniform points at three sizes";
   return "growth on uniform points is neither sure nor excluded; more sizes would tell";
 }
 
-Finding judge(const StudyRecords& records) {
+Finding judge_quadtree_alpha(const StudyRecords& records) {
   Finding finding;
   const Runs everywhere =
-      rated_runs(records, [](const RunRecord& run) { return run.algorithm == "quadtree" && run.n >= kMinN; });
+      rated_runs(records, [](const RunRecord& run) { return run.algorithm == "quadtree" && run.n >= kMinQuadtreeN; });
   std::copy_if(everywhere.begin(), everywhere.end(), std::back_inserter(finding.rows),
                [](const RunRecord* run) { return is_typical(*run); });
   const std::optional<PowerLaw> growth = growth_on_uniform(finding.rows);
   if (finding.rows.empty()) return finding;
   const std::vector<double> values = alphas(finding.rows);
-  finding.missing = missing_of(values.size(), growth);
-  if (growth && values.size() >= kMinInstances) finding.verdict = verdict_of(values, *growth);
+  finding.missing = quadtree_missing(values.size(), growth);
+  if (growth && values.size() >= kMinQuadtreeInstances) finding.verdict = quadtree_verdict(values, *growth);
   const RunRecord& largest = worst(everywhere);
   finding.measured = "alpha on random points: mean " + fixed(mean(values), 4) + ", 95% below " +
                      fixed(quantile(values, 0.95), 4) + " (" + size_range(finding.rows) + ")";
@@ -68,7 +68,7 @@ Claim quadtree_alpha() {
       "undecided "
       "with fewer than 30 instances or between",
       "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm quadtree --with-optimum",
-      judge};
+      judge_quadtree_alpha};
 }
 
 }  // namespace mwt::claims

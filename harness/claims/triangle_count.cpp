@@ -8,7 +8,7 @@ namespace mwt::claims {
 
 namespace {
 
-Finding judge(const StudyRecords& records) {
+Finding judge_triangle_count(const StudyRecords& records) {
   std::map<std::string, std::uint64_t> expected;
   for (const InstanceRecord& instance : records.instances) {
     expected[instance.instance_id] = 2 * std::uint64_t{instance.distinct} - instance.hull_size - 2;
@@ -34,7 +34,7 @@ Claim triangle_count() {
           "every finished run, joined with its instance",
           "reproduced: all of them; refuted: any differs",
           "mwt generate clustered --n 1000 -o p.csv && mwt solve p.csv --algorithm sweep",
-          judge};
+          judge_triangle_count};
 }
 
 }  // namespace mwt::claims

@@ -7,22 +7,22 @@ namespace mwt::claims {
 
 namespace {
 
-constexpr Index kMinN = 12;
+constexpr Index kMinCountedN = 12;
 constexpr double kClaimedFactor = 4;
 
-Finding judge(const StudyRecords& records) {
+Finding judge_triangulation_growth(const StudyRecords& records) {
   Finding finding;
   finding.details.header = {"family", "sizes", "factor per point (95%)"};
   bool some_above = false, all_within = true;
   std::string figures;
-  for (const auto& [family, growth] : growth_factors(counting_runs(records), kMinN)) {
+  for (const auto& [family, growth] : growth_factors(counting_runs(records), kMinCountedN)) {
     finding.rows.insert(finding.rows.end(), growth.runs.begin(), growth.runs.end());
     finding.details.rows.push_back({family, size_range(growth.runs), factor_text(growth.factor)});
     some_above = some_above || growth.factor.lower > kClaimedFactor;
     all_within = all_within && growth.factor.upper <= kClaimedFactor;
     figures += (figures.empty() ? "" : ", ") + family + " " + factor_text(growth.factor);
   }
-  finding.missing = "counts at three sizes of some family, from n = " + std::to_string(kMinN);
+  finding.missing = "counts at three sizes of some family, from n = " + std::to_string(kMinCountedN);
   if (finding.rows.empty()) return finding;
   finding.missing = "some factor's interval holds 4; more sizes would narrow it";
   finding.verdict = some_above ? ClaimVerdict::refuted : all_within ? ClaimVerdict::holds : ClaimVerdict::undecided;
@@ -42,7 +42,7 @@ Claim triangulation_growth() {
       "on each family log(number) is fitted as a line in n: refuted if its growth factor's lower 95% limit exceeds 4 "
       "somewhere; holds if the upper limits are at most 4 everywhere; otherwise undecided",
       "mwt generate uniform --n 18 --seed 1 -o p.csv && mwt solve p.csv --algorithm subset_dp",
-      judge};
+      judge_triangulation_growth};
 }
 
 }  // namespace mwt::claims

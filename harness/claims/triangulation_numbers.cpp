@@ -65,7 +65,7 @@ namespace {
 
 constexpr Index kMaxPoints = 37;  // of which the Catalan number fits
 
-Finding judge(const StudyRecords& records) {
+Finding judge_triangulation_numbers(const StudyRecords& records) {
   Finding finding;
   finding.rows = counting_runs(records);
   finding.details.header = {"algorithm", "family", "n", "seed", "triangulations", "Catalan C(n-2)"};
@@ -109,7 +109,7 @@ Claim triangulation_numbers() {
       "reproduced: every count in convex position is the Catalan number, and on uniform points the number's growth per "
       "point is above 1 with 95% confidence; refuted: some count is another; otherwise undecided",
       "mwt generate integer_circle --n 16 -o p.csv && mwt solve p.csv --algorithm subset_dp",
-      judge};
+      judge_triangulation_numbers};
 }
 
 }  // namespace claims

@@ -13,19 +13,19 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string points;
   std::string triangles;
 };
 
-std::optional<std::string> complaint_about(const Options& options) {
+std::optional<std::string> complaint_about(const CheckArguments& options) {
   require_one_from_standard_input({options.points, options.triangles});
   const std::vector<Point> input = read_points(options.points);
   const PointSet set = make_point_set(input, source_name(options.points));
   return broken_rule(set, input, read_triangles(options.triangles));
 }
 
-int check_triangulation(const Options& options) {
+int check_triangulation(const CheckArguments& options) {
   if (const auto complaint = complaint_about(options)) {
     std::cout << "invalid: " << *complaint << '\n';
     return kExitNegative;
@@ -37,7 +37,7 @@ int check_triangulation(const Options& options) {
 }  // namespace
 
 Command check_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("points", options->points, "point file; - for stdin");
     declared.argument("triangles", options->triangles, "triangle file: three positions in the point file per line");

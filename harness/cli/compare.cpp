@@ -18,7 +18,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct CompareArguments {
   std::vector<std::string> folders;
   std::optional<std::string> build_a;
   std::optional<std::string> build_b;
@@ -38,7 +38,7 @@ struct Options {
   bool every_cell = false;
 };
 
-CompareOptions compare_options(const Options& options) {
+CompareOptions compare_options(const CompareArguments& options) {
   CompareOptions result;
   if (options.threshold) result.threshold = *options.threshold / 100;
   result.time_measure = options.measure;
@@ -53,29 +53,29 @@ CompareOptions compare_options(const Options& options) {
 std::string json_of(const Comparison& comparison) { return comparison_json(comparison); }
 std::string json_of(const Settled& settled) { return settled_json(settled); }
 
-std::string text_of(const Comparison& comparison, const Options& options) {
+std::string text_of(const Comparison& comparison, const CompareArguments& options) {
   return options.markdown ? comparison_markdown(comparison, options.every_cell)
                           : comparison_text(comparison, options.every_cell);
 }
 
-std::string text_of(const Settled& settled, const Options& options) {
+std::string text_of(const Settled& settled, const CompareArguments& options) {
   return options.markdown ? settled_markdown(settled, options.every_cell) : settled_text(settled, options.every_cell);
 }
 
 template <class Result>
-int tell(const Result& result, const Options& options) {
+int tell(const Result& result, const CompareArguments& options) {
   std::cout << (options.json ? json_of(result) : text_of(result, options));
   if (options.verdict) write_file_atomically(*options.verdict, json_of(result));
   return result.outcome() == Outcome::regression ? kExitNegative : kExitOk;
 }
 
-Comparison compare_folders(const Options& options) {
+Comparison compare_folders(const CompareArguments& options) {
   if (options.folders.size() != 2) throw InputError("compare takes two folders: BASE NEW (or --build-a and --build-b)");
   return compare(read_results(options.folders[0]), read_results(options.folders[1]), compare_options(options));
 }
 
 /// Both builds, ready to be run in turn. Progress goes to standard error: standard output is for the verdict.
-InterleavedBuilds make_builds(const Options& options, const Study& study) {
+InterleavedBuilds make_builds(const CompareArguments& options, const Study& study) {
   InterleavedOptions interleaved;
   interleaved.build_a = *options.build_a;
   interleaved.build_b = *options.build_b;
@@ -87,7 +87,7 @@ InterleavedBuilds make_builds(const Options& options, const Study& study) {
   return {study, Catalogue::built_in(), interleaved, std::cerr};
 }
 
-int compare_builds(const Options& options) {
+int compare_builds(const CompareArguments& options) {
   InterleavedBuilds builds = make_builds(options, read_study(find_study_file(*options.study)));
   if (!builds.run(builds.cells(), options.repetitions)) return kExitInterrupted;
   CompareOptions how = compare_options(options);
@@ -96,7 +96,7 @@ int compare_builds(const Options& options) {
 }
 
 /// Folders first; whatever they leave open is run by both builds in turn, and what these say counts.
-int compare_and_settle(const Options& options) {
+int compare_and_settle(const CompareArguments& options) {
   Settled settled{compare_folders(options), std::nullopt, {}};
   std::set<TrackedCell> open = settled.folders.open_cells();
   if (open.empty()) return tell(settled, options);
@@ -112,7 +112,7 @@ int compare_and_settle(const Options& options) {
   return tell(settled, options);
 }
 
-int run(const Options& options) {
+int run(const CompareArguments& options) {
   if (options.json && options.markdown) throw InputError("give --json or --markdown, not both");
   if (!options.build_a && !options.build_b) return tell(compare_folders(options), options);
   if (!options.build_a || !options.build_b) throw InputError("--build-a and --build-b belong together");
@@ -123,7 +123,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command compare_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.optional_arguments("dir", options->folders, "BASE NEW: two folders of results");
     declared.option("--build-a", options->build_a,

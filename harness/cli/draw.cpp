@@ -20,7 +20,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct DrawArguments {
   std::string points;
   std::string triangles;
   std::string other;
@@ -55,7 +55,7 @@ std::string length_of(const std::vector<Edge>& edges, Points points) {
   return edges.empty() ? "0" : fixed(sum.enclosure().middle(), 6);
 }
 
-std::string comparison(const Options& options, Points points, const std::vector<Edge>& edges,
+std::string comparison(const DrawArguments& options, Points points, const std::vector<Edge>& edges,
                        const std::vector<Edge>& other) {
   AlignedTable table({"", "edges", "length"});
   const auto add = [&](const std::string& name, const std::vector<Edge>& of) {
@@ -70,7 +70,7 @@ std::string comparison(const Options& options, Points points, const std::vector<
   return table.text();
 }
 
-void require_usable_files(const Options& options) {
+void require_usable_files(const DrawArguments& options) {
   std::vector<std::string> inputs = {options.points, options.triangles};
   if (!options.other.empty()) inputs.push_back(options.other);
   require_one_from_standard_input(inputs);
@@ -79,7 +79,7 @@ void require_usable_files(const Options& options) {
   require_picture_name(options.output);
 }
 
-int draw(const Options& options) {
+int draw(const DrawArguments& options) {
   require_usable_files(options);
   const std::vector<Point> input = read_points(options.points);
   const PointSet set = make_point_set(input, source_name(options.points));
@@ -100,7 +100,7 @@ int draw(const Options& options) {
 }  // namespace
 
 Command draw_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DrawArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("points", options->points, "point file; - for stdin");
     declared.argument("triangles", options->triangles, "triangle file: three positions in the point file per line");

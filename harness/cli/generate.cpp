@@ -9,7 +9,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct GenerateArguments {
   std::string family;
   std::optional<Index> n;
   std::uint64_t seed = 1;
@@ -22,7 +22,7 @@ Index number_of_points(const GeneratorInfo& family, const std::optional<Index>& 
   return n.value_or(family.fixed_n);
 }
 
-int generate_points(const Options& options) {
+int generate_points(const GenerateArguments& options) {
   const Catalogue catalogue = Catalogue::built_in();
   const GeneratorInfo& family = catalogue.generator(options.family);
   const Parameters parameters(family.name, family.parameters, parse_parameters(options.parameters));
@@ -34,7 +34,7 @@ int generate_points(const Options& options) {
 }  // namespace
 
 Command generate_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GenerateArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("family", options->family, "name of a family (mwt list generators)");
     declared.option("--n", options->n, "number of points; not needed for a named instance");

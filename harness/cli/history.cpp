@@ -14,7 +14,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct HistoryArguments {
   std::string action;
   std::optional<std::string> history;
   std::optional<std::string> output;
@@ -31,7 +31,7 @@ std::string changes_text(const std::vector<NightlyRun>& nightly_runs, const std:
   return text;
 }
 
-std::string answer(const Options& options) {
+std::string answer(const HistoryArguments& options) {
   if (options.action != "export" && options.action != "changes" && options.action != "series")
     throw InputError("history has no action '" + options.action + "'; known: export, changes, series");
   if (options.action == "export" && !options.csv) throw InputError("give the form of the export: --csv");
@@ -46,7 +46,7 @@ std::string answer(const Options& options) {
   return options.json ? changes_json(changes, nightly_runs) : changes_text(nightly_runs, changes);
 }
 
-int history(const Options& options) {
+int history(const HistoryArguments& options) {
   if (options.output) {
     const OutputOption output{"--output", *options.output};
     require_usable_outputs({&output, 1}, {history_path(options.history)});
@@ -63,7 +63,7 @@ int history(const Options& options) {
 }  // namespace
 
 Command history_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<HistoryArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument(
         "action", options->action,

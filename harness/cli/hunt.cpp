@@ -18,7 +18,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct HuntArguments {
   std::string algorithm;
   std::optional<Index> n;
   std::vector<std::string> parameters;
@@ -31,14 +31,14 @@ struct Options {
   bool resume = false;
 };
 
-const AlgorithmInfo& solver_of(const Options& options, const Catalogue& catalogue, Index n) {
+const AlgorithmInfo& solver_of(const HuntArguments& options, const Catalogue& catalogue, Index n) {
   if (!options.solver) return solver_for_hunt(catalogue, n);
   const AlgorithmInfo& solver = catalogue.algorithm(*options.solver);
   if (solver.exactness != Exactness::exact) throw InputError("--solver " + solver.name + " is not exact");
   return solver;
 }
 
-HuntPlan plan_of(const Options& options, const Catalogue& catalogue) {
+HuntPlan plan_of(const HuntArguments& options, const Catalogue& catalogue) {
   const AlgorithmInfo& algorithm = catalogue.algorithm(options.algorithm);
   if (!options.n || *options.n < 4) throw InputError("give --n, the number of points, at least 4");
   HuntPlan plan;
@@ -58,7 +58,7 @@ HuntPlan plan_of(const Options& options, const Catalogue& catalogue) {
   return plan;
 }
 
-std::string output_of(const Options& options) {
+std::string output_of(const HuntArguments& options) {
   std::string path =
       options.output.value_or("hunted_" + options.algorithm + "_" + std::to_string(options.n.value_or(0)) + ".txt");
   if (!path.ends_with(".txt") && !path.ends_with(".xy"))
@@ -67,7 +67,7 @@ std::string output_of(const Options& options) {
 }
 
 // Nothing that was there is overwritten unless it is this hunt's.
-void require_fresh_or_resumed(const Options& options, const std::string& output, const std::string& state_file) {
+void require_fresh_or_resumed(const HuntArguments& options, const std::string& output, const std::string& state_file) {
   if (options.resume) return;
   for (const std::string& path : {output, state_file}) {
     if (std::filesystem::exists(path))
@@ -95,7 +95,7 @@ std::string described(const HuntResult& result) {
   return "alpha >= " + fixed(result.worst.alpha, 6) + " after " + std::to_string(result.evaluations) + " evaluations";
 }
 
-int run_hunt(const Options& options) {
+int run_hunt(const HuntArguments& options) {
   const HuntPlan plan = plan_of(options, Catalogue::built_in());
   const std::string output = output_of(options);
   const std::string state_file = output + ".state";
@@ -124,7 +124,7 @@ int run_hunt(const Options& options) {
 }  // namespace
 
 Command hunt_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<HuntArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.required("--algorithm", options->algorithm, "name of the algorithm");
     declared.option("--n", options->n, "number of points, at least 4");

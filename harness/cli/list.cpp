@@ -13,7 +13,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct ListArguments {
   std::string kind;
   bool json = false;
 };
@@ -66,7 +66,7 @@ int print(std::span<const Entry> entries, bool json) {
   return kExitOk;
 }
 
-int list(const Options& options) {
+int list(const ListArguments& options) {
   const Catalogue catalogue = Catalogue::built_in();
   if (options.kind == "algorithms") return print(catalogue.algorithms(), options.json);
   if (options.kind == "generators") return print(catalogue.generators(), options.json);
@@ -77,7 +77,7 @@ int list(const Options& options) {
 }  // namespace
 
 Command list_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ListArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("kind", options->kind, "algorithms, generators or studies");
     declared.flag("--json", options->json, "print JSON with all details");

@@ -13,13 +13,13 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct ReportArguments {
   std::string folder;
   std::optional<std::string> tables;
 };
 
 // The tables must not take the place of what they are made of, or of what is written beside them.
-void require_usable_output(const Options& options) {
+void require_usable_output(const ReportArguments& options) {
   if (!options.tables) return;
   std::vector<std::string> files;
   for (const char* name : {"runs.csv", "instances.csv", "environments.csv", "study.toml", "summary.csv",
@@ -30,7 +30,7 @@ void require_usable_output(const Options& options) {
   require_usable_outputs({&output, 1}, files);
 }
 
-int report(const Options& options) {
+int report(const ReportArguments& options) {
   require_usable_output(options);
   const ReportData data = read_report_data(options.folder);
   for (const std::string& warning : data.records.warnings) std::cerr << "mwt: warning: " << warning << '\n';
@@ -46,7 +46,7 @@ int report(const Options& options) {
 }  // namespace
 
 Command report_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReportArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("folder", options->folder, "results folder of a study (mwt run)");
     declared.option("--tables", options->tables,

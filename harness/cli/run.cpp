@@ -19,7 +19,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct RunArguments {
   std::string study;
   std::optional<std::string> folder;
   bool resume = false;
@@ -58,7 +58,7 @@ ExitCode print_overview(const std::string& folder, bool with_alphas) {
   return failed > 0 ? kExitNegative : kExitOk;
 }
 
-int run(const Options& options) {
+int run(const RunArguments& options) {
   const Study study = read_study(find_study_file(options.study), options.instances);
   RunOptions run_options;
   if (options.shard) run_options.shard = parse_shard(*options.shard);
@@ -80,7 +80,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command run_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("study", options->study, "name of a study (mwt list studies) or path of a study file");
     declared.option("--out", options->folder, "folder for the records; results/STUDY if not given");

@@ -28,7 +28,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct SolveArguments {
   std::string points;
   std::string algorithm;
   std::vector<std::string> parameters;
@@ -43,7 +43,7 @@ struct Options {
   std::optional<std::string> svg;
 };
 
-Request make_request(const Options& options, const Catalogue& catalogue, const Instance& instance,
+Request make_request(const SolveArguments& options, const Catalogue& catalogue, const Instance& instance,
                      const std::vector<Point>& input) {
   Request request;
   request.algorithm = &catalogue.algorithm(options.algorithm);
@@ -71,7 +71,7 @@ FoundOptimum search_optimum(const Instance& instance, std::vector<const Algorith
   return result;
 }
 
-std::optional<OptimumCache> open_cache(const Options& options) {
+std::optional<OptimumCache> open_cache(const SolveArguments& options) {
   if (options.no_cache) return std::nullopt;
   return OptimumCache(optimum_cache_folder(), warn);
 }
@@ -98,7 +98,7 @@ std::optional<CachedOptimum> cached_of(OptimumCache& cache, const Instance& inst
 // What is known besides what the solution itself certifies. If that is the optimum, nothing more is sought, and it goes
 // into the cache; and an exact algorithm that did not prove it is not run again.
 FoundOptimum optimum_beyond(const Catalogue& catalogue, const Instance& instance, const Request& request,
-                            const RatedRun& run, const Options& options) {
+                            const RatedRun& run, const SolveArguments& options) {
   std::optional<OptimumCache> cache = open_cache(options);
   const AlgorithmInfo& solver = *request.algorithm;
   const OptimumKey key = optimum_key(instance.id, solver, request.parameters);
@@ -158,7 +158,7 @@ std::vector<std::string> rate_by_all(RatedRun& run, const std::string& algorithm
   return contradictions;
 }
 
-std::vector<OutputOption> outputs_of(const Options& options) {
+std::vector<OutputOption> outputs_of(const SolveArguments& options) {
   std::vector<OutputOption> outputs;
   for (const auto& [name, file] :
        {std::pair("--triangles", options.triangles), {"--edges", options.edges}, {"--svg", options.svg}}) {
@@ -168,7 +168,7 @@ std::vector<OutputOption> outputs_of(const Options& options) {
 }
 
 // Everything that can be wrong about them, before an hour of work is lost to it.
-void require_usable_outputs(const Options& options, const Request& request) {
+void require_usable_outputs(const SolveArguments& options, const Request& request) {
   const std::vector<OutputOption> outputs = outputs_of(options);
   std::vector<std::string> inputs = {options.points};
   if (const auto start = start_file_of(*request.algorithm, request.parameters)) inputs.push_back(*start);
@@ -183,7 +183,7 @@ void require_usable_outputs(const Options& options, const Request& request) {
                      " a file");
 }
 
-void write_files(const Options& options, const Instance& instance, const std::vector<Point>& input,
+void write_files(const SolveArguments& options, const Instance& instance, const std::vector<Point>& input,
                  const Triangulation& triangulation) {
   const Triangulation in_input{instance.set.input_count, to_input_indices(instance.set, triangulation.triangles)};
   if (options.triangles) write_triangles(*options.triangles, in_input.triangles);
@@ -192,12 +192,12 @@ void write_files(const Options& options, const Instance& instance, const std::ve
 }
 
 // Standard output is for the file if one goes there.
-void print(const Options& options, const SolveOutput& output) {
+void print(const SolveArguments& options, const SolveOutput& output) {
   std::ostream& out = output_to_standard_output(outputs_of(options)) ? std::cerr : std::cout;
   out << (options.json ? to_json(output) : readable_text(output));
 }
 
-int solve(const Options& options) {
+int solve(const SolveArguments& options) {
   const Catalogue catalogue = Catalogue::built_in();
   static_cast<void>(catalogue.algorithm(options.algorithm));  // an unknown name is reported before a large file is read
   const std::vector<Point> input = read_points(options.points);
@@ -222,7 +222,7 @@ int solve(const Options& options) {
   return kExitOk;
 }
 
-void declare(CommandOptions& declared, Options& options) {
+void declare(CommandOptions& declared, SolveArguments& options) {
   declared.argument("points", options.points, "point file; - for stdin");
   declared.required("--algorithm", options.algorithm, "name of an algorithm (mwt list algorithms)");
   declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
@@ -243,7 +243,7 @@ void declare(CommandOptions& declared, Options& options) {
 }  // namespace
 
 Command solve_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SolveArguments>();
   return {"solve", "Triangulate your own points with one algorithm and say how good the result is",
           [options](CommandOptions& declared) { declare(declared, *options); }, [options] { return solve(*options); }};
 }

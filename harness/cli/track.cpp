@@ -11,7 +11,7 @@ namespace mwt {
 
 namespace {
 
-struct Options {
+struct TrackArguments {
   std::vector<std::string> folders;
   std::optional<std::string> history;
 };
@@ -28,7 +28,7 @@ std::string word_for(History::Added added) {
 }
 
 // All folders are read before the first one is added: a mistake in one leaves the history as it was.
-int track(const Options& options) {
+int track(const TrackArguments& options) {
   std::vector<NightlyRun> nightly_runs;
   for (const std::string& folder : options.folders) {
     for (NightlyRun& nightly_run : nightly_runs_of(read_results(folder)))
@@ -48,7 +48,7 @@ int track(const Options& options) {
 }  // namespace
 
 Command track_command() {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrackArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.arguments("dir", options->folders, "folders of results, of any schema version");
     declared.option("--history", options->history, kHistoryHelp);

@@ -12,10 +12,11 @@ struct RepeatedTiming {
   std::uint64_t executions = 1;  ///< by which the times were taken
 };
 
-/// Times one execution of `work`. If that used less than `min_time_s` of CPU time, it was too short: more follow, in
-/// batches that use a fifth of min_time_s each. The first batch warms caches and the allocator; of the five after it
-/// the times are the medians of their means. Short interruptions by other programs spoil one batch or two, not the
-/// median.
+/// Times one execution of `work`. If that used less than `min_time_s` of CPU time, it was too short: more follow, each
+/// timed by itself and after the branch prediction has forgotten the one before (branch_history.h), until they have
+/// used min_time_s of CPU time together, or four times that with what lies between them; at least five. The first
+/// execution warmed caches and the allocator and does not count; the times are medians of the others, which short
+/// interruptions by other programs do not change. Each includes reading the clocks twice, about half a microsecond.
 ///
 /// CPU time decides how often `work` is executed, for on a busy machine the wall time of a single short execution may
 /// be anything; work that does not use the CPU is repeated for ten times min_time_s of wall time at most (and at least

@@ -41,7 +41,7 @@ double explained_share(const Design& design, const Line& line) {
 }
 
 /// The number of every measurement's group: those with the same n.
-std::vector<std::size_t> groups_of(std::span<const Measurement> measurements) {
+std::vector<std::size_t> groups_by_size(std::span<const Measurement> measurements) {
   std::map<double, std::size_t> group_of_n;
   std::vector<std::size_t> groups;
   for (const Measurement& measurement : measurements)
@@ -61,7 +61,7 @@ void require_positive(std::span<const Measurement> measurements) {
 
 std::optional<PowerLaw> fit_power_law(std::span<const Measurement> measurements, const BootstrapOptions& options) {
   require_positive(measurements);
-  const std::vector<std::size_t> groups = groups_of(measurements);
+  const std::vector<std::size_t> groups = groups_by_size(measurements);
   const std::size_t group_count = groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
   if (group_count < 2) return std::nullopt;
 

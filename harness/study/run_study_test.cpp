@@ -112,8 +112,8 @@ Solution spin_for_100_us(Points points, Context& context) {
   return testing::solve_well(points, context);
 }
 
-// On a busy machine runs wait for the CPU, but hardly all of forty in three batches of five, and none uses more CPU
-// time than there was.
+// On a busy machine runs wait for the CPU, but hardly all of forty in more than half of their executions, and none uses
+// more CPU time than there was.
 TEST(RunStudy, CpuTimesOfShortRunsAreNotQuantised) {
   const TestFolder folder;
   const std::vector<AlgorithmInfo> algorithms = {testing::entry("spins", spin_for_100_us)};

@@ -17,8 +17,8 @@ constexpr double kOverheadPerRun = 0.006;
 constexpr double kOverheadPerRunAndPoint = 2e-6;
 // Making an instance: when the study is planned, before its optimum is sought, and before its runs.
 constexpr double kOverheadPerInstancePoint = 4e-6;
-// Google Benchmark doubles its way up until the executions fill the minimum.
-constexpr double kFillingFactor = 2;
+// What a short run takes that is repeated until it can be timed (run/repeated_timing.h), in units of the time it fills.
+constexpr double kFillingFactor = 4;
 
 class WorkList {
  public:
