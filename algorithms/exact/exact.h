@@ -5,12 +5,13 @@
 
 namespace mwt {
 
-/// The stages, each a unit of its own, the first four in candidates/, the last in faces/:
+/// The stages, each a unit of its own, the first four in candidates/ and division/, the last in faces/:
 ///   1. kd_order: neighbours in the plane become neighbours in memory;
-///   2. diamond_candidates: all edges that may be in a minimum weight triangulation, about 11.6 n;
+///   2. diamond_candidates: all edges that may be in a minimum weight triangulation, about 11.6 n (long_edges: those
+///      much longer than the distance to the nearest neighbour are tested against all points);
 ///   3. lmt_skeleton: deletes edges that are locally minimal in no quadrilateral; about 3.8 n stay;
-///      far_edges: the diamond test again for very long edges, by angles instead of coordinates;
 ///   4. certain_edges: those that nothing crosses any more, about 2.5 n, are in every optimum (up to ties);
+///      certain_division: unless these connect all points, edges of the beta-skeleton are certain, too;
 ///   5. face_solver: each face of the certain edges: polygons by dynamic programs, faces with one hole by dynamic
 ///      programs after a cut; faces with more are divided where possible, and what is left are linear programs with
 ///      branching.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "algorithms/exact/faces/disjoint_sets.h"
+#include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/faces/face_walk.h"
 #include "geometry/predicates.h"
 #include "geometry/undirected_edges.h"

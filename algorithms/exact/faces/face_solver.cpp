@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "algorithms/exact/faces/crossing_candidates.h"
+#include "algorithms/exact/division/crossing_candidates.h"
 #include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/faces/face_walk.h"
 #include "algorithms/exact/faces/polygon_face.h"

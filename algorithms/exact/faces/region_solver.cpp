@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algorithms/exact/division/crossing_candidates.h"
 #include "algorithms/exact/faces/certain_sides.h"
 #include "algorithms/exact/faces/consistent_triangles.h"
-#include "algorithms/exact/faces/crossing_candidates.h"
 #include "algorithms/exact/faces/cut_region.h"
 #include "algorithms/exact/faces/face_walk.h"
 #include "algorithms/exact/faces/local_region.h"

@@ -1,4 +1,4 @@
-#include "algorithms/exact/faces/crossing_candidates.h"
+#include "algorithms/exact/division/crossing_candidates.h"
 
 #include <gtest/gtest.h>
 

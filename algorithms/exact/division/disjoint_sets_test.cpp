@@ -1,4 +1,4 @@
-#include "algorithms/exact/faces/disjoint_sets.h"
+#include "algorithms/exact/division/disjoint_sets.h"
 
 #include <gtest/gtest.h>
 
