@@ -147,6 +147,7 @@ class ExactSolver {
     counters_["precise_comparisons"] = static_cast<double>(faces.precise_comparisons);
     counters_["undecided_ties"] = static_cast<double>(faces.undecided_ties);
     counters_["faces_with_holes"] = static_cast<double>(faces.faces_with_holes);
+    counters_["reductions"] = static_cast<double>(faces.reductions);
     counters_["linear_programs"] = static_cast<double>(faces.programs);
     counters_["branchings"] = static_cast<double>(faces.branchings);
     counters_["unsolved_faces"] = static_cast<double>(faces.unsolved_faces);

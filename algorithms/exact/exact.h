@@ -12,18 +12,19 @@ namespace mwt {
 ///   3. lmt_skeleton: deletes edges that are locally minimal in no quadrilateral; about 3.8 n stay;
 ///   4. certain_edges: those that nothing crosses any more, about 2.5 n, are in every optimum (up to ties);
 ///      certain_division: unless these connect all points, edges of the beta-skeleton are certain, too;
-///   5. face_solver: each face of the certain edges: polygons by dynamic programs, faces with one hole by dynamic
-///      programs after a cut; faces with more are divided where possible, and what is left are linear programs with
-///      branching.
+///   5. face_solver: each face of the certain edges: polygons by dynamic programs, faces with one hole by shortest
+///   paths
+///      in their universal cover; faces with more are cut open, bounded by dual values and divided
+///      (holes/region_solver.h), and what is left are linear programs or branching.
 /// All points on the hull: only stage 5, over all diagonals.
 ///
 /// Preconditions: distinct points, not all collinear. Collinear triples, ties and all magnitudes are normal input.
 /// Postcondition: the triangulation's weight is the optimum's upper end, and the optimum is certified from below. Where
 /// the deadline, memory or a size stop a stage, the result is a valid triangulation with a wider interval, never an
-/// abort, and `stop_reason` says which; sizes are a count of candidates beyond max(10^8, 64 n), more than 6,000 points
-/// in convex position, and faces with holes of more than kMaximumProgramTriangles empty triangles. The triangulation is
-/// then the lightest that heuristics find in the time that is left, for which the stages end a little before the
-/// deadline (common/lightest_heuristic.h): never heavier than those of `greedy`, `patch` and `flip`, time permitting.
+/// abort, and `stop_reason` says which; sizes are a count of candidates beyond max(10^8, 64 n), and more than 6,000 points
+/// in convex position. The triangulation is then the lightest that heuristics find in the time that is left, for which
+/// the stages end a little before the deadline (common/lightest_heuristic.h): never heavier than those of `greedy`,
+/// `patch` and `flip`, time permitting.
 /// Ties: between optima of equal weight, the order of the points decides. Time: about n
 /// log n on inputs of gradually varying or clustered density; the general problem is NP-hard (Mulzer and Rote 2008).
 /// Deterministic, whatever context.threads.

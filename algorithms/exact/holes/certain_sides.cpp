@@ -1,4 +1,4 @@
-#include "algorithms/exact/faces/certain_sides.h"
+#include "algorithms/exact/holes/certain_sides.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "algorithms/exact/faces/local_region.h"
+#include "algorithms/exact/holes/local_region.h"
 
 #include <algorithm>
 

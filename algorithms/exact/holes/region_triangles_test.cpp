@@ -1,4 +1,4 @@
-#include "algorithms/exact/faces/region_triangles.h"
+#include "algorithms/exact/holes/region_triangles.h"
 
 #include <gtest/gtest.h>
 

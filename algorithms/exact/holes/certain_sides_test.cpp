@@ -1,4 +1,4 @@
-#include "algorithms/exact/faces/certain_sides.h"
+#include "algorithms/exact/holes/certain_sides.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 
 #include "algorithms/common/testing/solver_testing.h"
-#include "algorithms/exact/faces/consistent_triangles.h"
+#include "algorithms/exact/holes/consistent_triangles.h"
 #include "algorithms/exact/testing/naive_candidates.h"
 #include "algorithms/exact/testing/stage_testing.h"
 #include "algorithms/triangle_lp/empty_triangles.h"

@@ -1,4 +1,4 @@
-#include "algorithms/exact/faces/consistent_triangles.h"
+#include "algorithms/exact/holes/consistent_triangles.h"
 
 #include <algorithm>
 #include <cstdint>
