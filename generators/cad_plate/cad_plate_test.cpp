@@ -12,8 +12,10 @@ namespace {
 
 TEST(CadPlate, points_are_the_recorded_ones) {
   EXPECT_EQ(golden_hash("cad_plate", 100, 1), "7ee75a6e04c83ae639b20e89529e1b6d");
-  EXPECT_EQ(golden_hash("cad_plate", 200, 2, {{"holes", "7"}, {"outline", "star"}}), "dbc393c5c1d1d3190d358eec83c0f49a");
-  EXPECT_EQ(golden_hash("cad_plate", 200, 2, {{"holes", "1"}, {"outline", "circle"}}), "a14f4511459003cba3c6587430015cf4");
+  EXPECT_EQ(golden_hash("cad_plate", 200, 2, {{"holes", "7"}, {"outline", "star"}}),
+            "dbc393c5c1d1d3190d358eec83c0f49a");
+  EXPECT_EQ(golden_hash("cad_plate", 200, 2, {{"holes", "1"}, {"outline", "circle"}}),
+            "a14f4511459003cba3c6587430015cf4");
 }
 
 TEST(CadPlate, every_point_lies_on_an_outline) {
