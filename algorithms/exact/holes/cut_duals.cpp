@@ -11,7 +11,6 @@ namespace mwt {
 
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr int kMaxSweeps = 60;
 
 // Of a reduced cost, relative to the largest cost that is added.
@@ -79,7 +78,7 @@ void CutDuals::list_crossing() {
 std::size_t CutDuals::alive_crossing() const { return crossing_.size(); }
 
 bool CutDuals::find_loose_triangles(std::size_t limit, const Deadline& deadline) {
-  std::vector<std::uint32_t> at_first(polygon_.graph.points.size(), kNone);
+  std::vector<std::uint32_t> at_first(polygon_.graph.points.size(), kNoIndex);
   std::vector<std::uint32_t> touched;
   for (const std::uint32_t h : crossing_) {
     add_triangles_of(h, at_first, touched);
@@ -120,19 +119,19 @@ void CutDuals::add_triangles_of(std::uint32_t halfedge, std::vector<std::uint32_
   for (std::uint32_t bc = graph.first[b]; bc < graph.first[b + std::size_t{1}]; ++bc) {
     const Index c = graph.target[bc];
     const std::uint32_t ac = at_first[c];
-    if (ac == kNone || is_earlier(ac) || is_earlier(bc)) continue;
+    if (ac == kNoIndex || is_earlier(ac) || is_earlier(bc)) continue;
     const int turn = orientation(graph.points[a], graph.points[b], graph.points[c]);
     const std::array<std::uint32_t, 3> left{halfedge, bc, polygon_.twin[ac]};
     const std::array<std::uint32_t, 3> right{polygon_.twin[halfedge], ac, polygon_.twin[bc]};
     const auto& sides = turn > 0 ? left : right;
     if (turn != 0 && may_be_sides(sides)) loose_.push_back({sides, 0});
   }
-  for (const Index v : touched) at_first[v] = kNone;
+  for (const Index v : touched) at_first[v] = kNoIndex;
 }
 
 // By each of their crossing sides.
 void CutDuals::file_triangles() {
-  slot_.assign(cost_.size(), kNone);
+  slot_.assign(cost_.size(), kNoIndex);
   std::uint32_t slots = 0;
   for (const std::uint32_t h : crossing_) {
     slot_[h] = slots++;
@@ -141,7 +140,7 @@ void CutDuals::file_triangles() {
   first_.assign(slots + std::size_t{1}, 0);
   for (const Loose& triangle : loose_) {
     for (const std::uint32_t side : triangle.side) {
-      if (slot_[side] != kNone) ++first_[slot_[side] + std::size_t{1}];
+      if (slot_[side] != kNoIndex) ++first_[slot_[side] + std::size_t{1}];
     }
   }
   for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
@@ -149,7 +148,7 @@ void CutDuals::file_triangles() {
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   for (std::uint32_t t = 0; t < loose_.size(); ++t) {
     for (const std::uint32_t side : loose_[t].side) {
-      if (slot_[side] != kNone) filed_[next[slot_[side]]++] = t;
+      if (slot_[side] != kNoIndex) filed_[next[slot_[side]]++] = t;
     }
   }
 }
@@ -243,7 +242,7 @@ void CutDuals::update_lower_bound() {
     const double cost = reduced_cost(triangle) - error_;
     if (cost >= 0) continue;
     for (const std::uint32_t side : triangle.side) {
-      if (slot_[side] == kNone) continue;
+      if (slot_[side] == kNoIndex) continue;
       least[slot_[side]] = std::min(least[slot_[side]], cost);
       break;
     }

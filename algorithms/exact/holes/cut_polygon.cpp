@@ -17,8 +17,6 @@ namespace {
 using Cell = IntervalProgram::Cell;
 using Position = IntervalProgram::Position;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
 std::vector<Edge> in_places(const FaceRegion& region, const std::vector<Edge>& edges) {
   std::vector<Edge> places;
   places.reserve(edges.size());
@@ -60,7 +58,7 @@ class Cutter {
     candidates.insert(candidates.end(), certain.begin(), certain.end());
     polygon_.graph = make_candidate_graph(polygon_.points, undirected_edges(std::move(candidates)), certain);
     const std::size_t halfedges = polygon_.graph.target.size();
-    polygon_.twin.assign(halfedges, kNone);
+    polygon_.twin.assign(halfedges, kNoIndex);
     polygon_.kind.assign(halfedges, SideKind::crossing);
     polygon_.cell.assign(halfedges, IntervalProgram::kNoCell);
     polygon_.is_lower.assign(halfedges, false);
@@ -93,7 +91,7 @@ class Cutter {
     const FaceWalker walker(polygon_.graph);
     const Edge start = boundary_.front();
     corners_ = walker.corners_of_face(start.a, walker.corner_towards(start.a, start.b).halfedge);
-    position_.assign(polygon_.graph.target.size(), kNone);
+    position_.assign(polygon_.graph.target.size(), kNoIndex);
     for (Position i = 0; i < corners_.size(); ++i) {
       std::uint32_t h = corners_[i].halfedge;
       const Index v = corners_[i].vertex;
@@ -113,7 +111,7 @@ class Cutter {
       for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
         const Edge edge{v, graph.target[h]};
         if (graph.certain[h] == 0) {
-          if (position_[h] == kNone) return false;
+          if (position_[h] == kNoIndex) return false;
           if (edge.a < edge.b) suspects.push_back(edge);
           continue;
         }

@@ -13,8 +13,6 @@ namespace mwt {
 
 namespace {
 
-bool lies_below_or_left(const Point& p, const Point& q) { return p.y < q.y || (p.y == q.y && p.x < q.x); }
-
 // By position in region.vertices.
 std::vector<std::size_t> components_of(const FaceRegion& region) {
   DisjointSets sets(region.vertices.size());
@@ -44,7 +42,7 @@ std::vector<Edge> unavoidable_candidates(Points points, const FaceRegion& region
                                       [&](Index v, Index w) { return lexicographically_less(points[v], points[w]); });
   const std::size_t outer = component[static_cast<std::size_t>(first - region.vertices.begin())];
   std::optional<std::vector<Edge>> fewest;
-  for (const auto is_before : {lexicographically_less, lies_below_or_left}) {
+  for (const auto is_before : {lexicographically_less, colexicographically_less}) {
     for (const bool last : {false, true}) {
       const auto is_beyond = [&](Index v, Index w) {
         return last ? is_before(points[w], points[v]) : is_before(points[v], points[w]);

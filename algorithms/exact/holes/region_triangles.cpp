@@ -13,8 +13,6 @@ namespace mwt {
 
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
 // An edge in the star of one of its ends.
 struct Spoke {
   Index to = 0;
@@ -27,7 +25,7 @@ struct Spoke {
 // lies between its ends in that order and to the right of the edge directed upwards.
 class TriangleSearch {
  public:
-  explicit TriangleSearch(Points points) : points_(points), place_of_(points.size(), kNone) {}
+  explicit TriangleSearch(Points points) : points_(points), place_of_(points.size(), kNoIndex) {}
 
   // Whether the deadline allowed it.
   bool file_sides(std::span<const Edge> sides, const Deadline& deadline) {
@@ -50,7 +48,7 @@ class TriangleSearch {
     for (const Spoke& ab : star) {
       if (ab.leaves && ab.to > a) find_left_of(a, ab, triangles);
     }
-    for (const Spoke& spoke : star) place_of_[spoke.to] = kNone;
+    for (const Spoke& spoke : star) place_of_[spoke.to] = kNoIndex;
   }
 
  private:
@@ -59,7 +57,7 @@ class TriangleSearch {
     const auto is_side = [&](const Edge& edge) { return std::binary_search(sides.begin(), sides.end(), edge); };
     spokes_ = file_in_rows<Spoke>(points_.size(), [&](const auto& file) {
       for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (under[i] == kNone) continue;
+        if (under[i] == kNoIndex) continue;
         const auto [a, b] = edges[i];
         const bool forward = is_side({a, b});
         const bool backward = is_side({b, a});
@@ -69,12 +67,12 @@ class TriangleSearch {
     });
   }
 
-  // kNone if a point lies on the edge.
+  // kNoIndex if a point lies on the edge.
   [[nodiscard]] std::uint32_t count_under(const Edge& edge) const {
     std::uint32_t count = 0;
     for (Index p = edge.a + 1; p < edge.b; ++p) {
       const int turn = orientation(points_[edge.a], points_[edge.b], points_[p]);
-      if (turn == 0) return kNone;
+      if (turn == 0) return kNoIndex;
       count += static_cast<std::uint32_t>(turn < 0);
     }
     return count;
@@ -84,7 +82,7 @@ class TriangleSearch {
     const std::span<const Spoke> star = spokes_[a];
     for (const Spoke& bc : spokes_[ab.to]) {
       const std::uint32_t place = place_of_[bc.to];
-      if (!bc.leaves || bc.to < a || place == kNone || !star[place].arrives) continue;
+      if (!bc.leaves || bc.to < a || place == kNoIndex || !star[place].arrives) continue;
       const std::uint32_t under_ac = star[place].under;
       // b is under ac, or c is above ab.
       const bool is_empty = ab.to < bc.to ? under_ac == ab.under + bc.under + 1 : under_ac + bc.under == ab.under;

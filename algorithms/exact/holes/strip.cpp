@@ -16,8 +16,6 @@ namespace {
 
 using Place = Strip::Place;
 
-bool lies_below_or_left(const Point& p, const Point& q) { return p.y < q.y || (p.y == q.y && p.x < q.x); }
-
 class StripBuilder {
  public:
   StripBuilder(Points points, const FaceRegion& region) : points_(points) {
@@ -168,7 +166,7 @@ std::optional<Strip> make_strip(Points points, const FaceRegion& region) { retur
 std::vector<CrossEdge> unavoidable_edges(Points points, const Strip& strip) {
   const std::vector<Index>& inner = strip.inner.vertex;
   std::optional<std::vector<CrossEdge>> fewest;
-  for (const auto is_before : {lexicographically_less, lies_below_or_left}) {
+  for (const auto is_before : {lexicographically_less, colexicographically_less}) {
     const auto by_order = [&](Index a, Index b) { return is_before(points[a], points[b]); };
     const auto [least, most] = std::minmax_element(inner.begin(), inner.end(), by_order);
     for (const bool later : {false, true}) {
