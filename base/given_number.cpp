@@ -1,5 +1,7 @@
 #include "base/given_number.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -58,7 +60,7 @@ std::string remedy_for(const std::string& mistake, NumberRange<Number> range) {
   const bool is_limited =
       std::unsigned_integral<Number> || range.least != Limits::lowest() || range.most != Limits::max();
   if (!is_limited) return mistake.ends_with(kind) ? "" : "; give " + kind;
-  return "; give " + kind + " from " + text_of(range.least) + " to " + text_of(range.most);
+  return fmt::format("; give {} from {} to {}", kind, text_of(range.least), text_of(range.most));
 }
 
 }  // namespace

@@ -55,17 +55,4 @@ std::string number_text(double value) {
   return text;
 }
 
-void append_fixed(std::string& text, double value, int decimals) {
-  std::array<char, 64> buffer;
-  const auto result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-  text.append(buffer.data(), result.ptr);
-}
-
-void append_integer(std::string& text, unsigned long long value) {
-  std::array<char, 24> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  text.append(buffer.data(), result.ptr);
-}
-
 }  // namespace mwt

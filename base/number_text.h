@@ -20,10 +20,4 @@ template <class Whole>
 void append_number(std::string& text, double value);
 [[nodiscard]] std::string number_text(double value);
 
-/// Appends `value` rounded to `decimals` places, for pictures. Precondition: |value| < 1e15, decimals <= 9.
-void append_fixed(std::string& text, double value, int decimals);
-
-/// Appends an integer.
-void append_integer(std::string& text, unsigned long long value);
-
 }  // namespace mwt

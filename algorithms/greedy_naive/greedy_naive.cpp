@@ -1,5 +1,7 @@
 #include "algorithms/greedy_naive/greedy_naive.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -138,8 +140,9 @@ Solution solve(Points points, Context& context) {
 
 Triangulation greedy_naive(Points points) {
   if (points.size() > kMaxN) {
-    throw NotApplicable("greedy_naive sorts all pairs of points and takes at most " + std::to_string(kMaxN) +
-                        " points; this instance has " + std::to_string(points.size()));
+    throw NotApplicable(
+        fmt::format("greedy_naive sorts all pairs of points and takes at most {} points; this instance has {}", kMaxN,
+                    points.size()));
   }
   const std::size_t wanted = 2 * points.size() - convex_hull(points).size() - 2;
   KeptEdges kept(points);

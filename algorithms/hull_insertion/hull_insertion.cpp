@@ -1,5 +1,7 @@
 #include "algorithms/hull_insertion/hull_insertion.h"
 
+#include <fmt/core.h>
+
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
@@ -19,9 +21,9 @@ namespace {
 std::vector<Index> hull_within_limit(Points points) {
   std::vector<Index> hull = convex_hull(points);
   if (hull.size() > kMaxPolygon) {
-    throw NotApplicable("hull_insertion triangulates the hull in O(h^3) time and takes at most " +
-                        std::to_string(kMaxPolygon) + " points on it; this instance has " +
-                        std::to_string(hull.size()));
+    throw NotApplicable(fmt::format(
+        "hull_insertion triangulates the hull in O(h^3) time and takes at most {} points on it; this instance has {}",
+        kMaxPolygon, hull.size()));
   }
   return hull;
 }

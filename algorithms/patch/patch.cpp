@@ -1,5 +1,7 @@
 #include "algorithms/patch/patch.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -132,13 +134,13 @@ PatchOptions options_of(const Parameters& parameters) {
   PatchOptions options;
   const std::int64_t k = parameters.integer("k"), passes = parameters.integer("passes");
   if (k < 2 || k > kMaxPatch) {
-    throw InputError("patch: k=" + std::to_string(k) + " is not between 2 and " + std::to_string(kMaxPatch));
+    throw InputError(fmt::format("patch: k={} is not between 2 and {}", k, kMaxPatch));
   }
   if (passes < 0 || passes > 1'000'000)
-    throw InputError("patch: passes=" + std::to_string(passes) + " is not between 0 and 1000000");
+    throw InputError(fmt::format("patch: passes={} is not between 0 and 1000000", passes));
   const std::int64_t long_k = parameters.integer("long_k");
   if (long_k < 0 || long_k > kMaxPatch) {
-    throw InputError("patch: long_k=" + std::to_string(long_k) + " is not between 0 and " + std::to_string(kMaxPatch));
+    throw InputError(fmt::format("patch: long_k={} is not between 0 and {}", long_k, kMaxPatch));
   }
   options.k = static_cast<int>(k);
   options.long_k = static_cast<int>(long_k == 0 ? std::min<std::int64_t>(4 * k, kMaxPatch) : long_k);

@@ -1,5 +1,7 @@
 #include "algorithms/triangle_lp/triangle_lp.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 
@@ -25,8 +27,8 @@ std::vector<Edge> hull_boundary(Points points) {
 Solution solve_triangle_program(Points points, Context& context) {
   const std::int64_t limit = context.parameters.integer("max_points");
   if (std::ssize(points) > limit) {
-    throw NotApplicable("triangle_lp: " + std::to_string(points.size()) + " points; it takes at most " +
-                        std::to_string(limit) + " (parameter max_points)");
+    throw NotApplicable(
+        fmt::format("triangle_lp: {} points; it takes at most {} (parameter max_points)", points.size(), limit));
   }
   std::vector<Triangle> triangles;
   {

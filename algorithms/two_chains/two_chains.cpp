@@ -1,5 +1,7 @@
 #include "algorithms/two_chains/two_chains.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -94,8 +96,7 @@ ChainPair require_pair(Points points) {
   std::optional<ChainPair> pair = find_chain_pair(points);
   if (!pair) throw NotApplicable("two_chains takes two reflex chains that face each other, with 4 points on the hull");
   if (std::uint64_t{pair->first.size()} * pair->second.size() > kMaxCorridorEdges) {
-    throw NotApplicable("two_chains takes chains with at most " + std::to_string(kMaxCorridorEdges) +
-                        " edges between them");
+    throw NotApplicable(fmt::format("two_chains takes chains with at most {} edges between them", kMaxCorridorEdges));
   }
   return *std::move(pair);
 }

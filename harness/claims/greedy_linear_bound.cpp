@@ -1,5 +1,7 @@
 // C5: greedy's worst case.
+#include <fmt/core.h>
 #include "harness/claims/report_claims.h"
+
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"
 
@@ -40,9 +42,11 @@ Finding judge_greedy_linear_bound(const StudyRecords& records) {
   finding.missing = is_below_n
                         ? "the exponent's interval on " + steepest->family + " holds 1; more sizes would narrow it"
                         : "some alpha is above n, at sizes too small to tell growth";
-  finding.measured = "steepest on " + steepest->family + ": alpha grows like n^" + exponent_text(steepest->law) +
-                     "; largest alpha " + significant(*largest.alpha_upper, 4) + " at n = " + grouped(largest.n) +
-                     " on " + largest.generator + ". The worst case is Theta(sqrt n) (Levcopoulos, Krznaric 1998)";
+  finding.measured = fmt::format(
+      "steepest on {}: alpha grows like n^{}; largest alpha {} at n = {} on {}. The worst case is Theta(sqrt n) "
+      "(Levcopoulos, Krznaric 1998)",
+      steepest->family, exponent_text(steepest->law), significant(*largest.alpha_upper, 4), grouped(largest.n),
+      largest.generator);
   return finding;
 }
 

@@ -1,4 +1,6 @@
 // C6: hull DP + insertion as an O(log n) approximation.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -66,13 +68,14 @@ AlphaGrowth alpha_growth_by_family(const Runs& rows, ClaimDetails& details) {
 Finding judge_insertion_logarithmic(const StudyRecords& records) {
   Finding finding;
   finding.rows = finished_runs(records, [](const RunRecord& run) {
-    return run.algorithm == "hull_insertion" && named_value(run.params, "order") == "index" && run.n >= kMinInsertionN &&
-           run.alpha_lower;
+    return run.algorithm == "hull_insertion" && named_value(run.params, "order") == "index" &&
+           run.n >= kMinInsertionN && run.alpha_lower;
   });
   const AlphaGrowth growth = alpha_growth_by_family(finding.rows, finding.details);
-  finding.missing =
-      "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " + std::to_string(kMinInsertionN) +
-      ", with a certified alpha";
+  finding.missing = fmt::format(
+      "finished runs of hull_insertion (order=index) at three sizes of some family, from n = {}, with a certified "
+      "alpha",
+      kMinInsertionN);
   if (finding.details.rows.empty()) return finding;
   finding.missing =
       "nowhere does alpha surely outgrow log n, nor is that excluded everywhere (see the intervals of alpha / log n); "
@@ -82,9 +85,9 @@ Finding judge_insertion_logarithmic(const StudyRecords& records) {
                                                 : ClaimVerdict::undecided;
   if (!growth.on_uniform.empty()) finding.measured = "alpha on uniform points ~ n^" + growth.on_uniform + "; ";
   const RunRecord& top = largest(finding.rows);
-  finding.measured += "steepest on " + growth.steepest + ": n^" + fixed(growth.exponent, 2) + "; largest alpha " +
-                      significant(*top.alpha_lower, 3) + " (" + top.generator + ", n = " + grouped(top.n) + ")" +
-                      false_steps(finding.rows);
+  finding.measured +=
+      fmt::format("steepest on {}: n^{:.2f}; largest alpha {} ({}, n = {}){}", growth.steepest, growth.exponent,
+                  significant(*top.alpha_lower, 3), top.generator, grouped(top.n), false_steps(finding.rows));
   return finding;
 }
 

@@ -1,4 +1,6 @@
 // C8: what inserting one interior point costs.
+#include <fmt/core.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -74,8 +76,8 @@ Finding judge_insertion_step(const StudyRecords& records) {
   const StepGrowth growth = step_growth_by_family(finding.rows, finding.details);
   const auto groups = by_family(finding.rows);
   const auto unit_square = groups.find(kUnitSquare);
-  finding.missing = std::string("finished runs of hull_insertion on ") + kUnitSquare +
-                    " at three sizes, from n = " + std::to_string(kMinStepN);
+  finding.missing =
+      fmt::format("finished runs of hull_insertion on {} at three sizes, from n = {}", kUnitSquare, kMinStepN);
   if (unit_square == groups.end()) return finding;
   if (growth.has_unit_square)
     finding.missing = "in the unit square growth is neither sure nor excluded; larger sizes would tell";
@@ -88,8 +90,10 @@ Finding judge_insertion_step(const StudyRecords& records) {
                      significant(max_increase(unit_square->second), 3) +
                      " on average over a run (never above 3 sqrt 2)";
   if (growth.fails_elsewhere) {
-    finding.measured += ", but where coordinates grow with n it outgrows log n: on " + growth.steepest + " like n^" +
-                        fixed(growth.exponent, 2) + ". The claim depends on the unit of length, the optimum does not";
+    finding.measured += fmt::format(
+        ", but where coordinates grow with n it outgrows log n: on {} like n^{:.2f}. The claim depends on the unit of "
+        "length, the optimum does not",
+        growth.steepest, growth.exponent);
   }
   return finding;
 }

@@ -1,4 +1,6 @@
 // C10: how likely local search ends near the optimum.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -57,8 +59,8 @@ Summary add_rows(const std::map<Cell, Runs>& cells, double epsilon, ClaimDetails
     summary.every_cell_above = summary.every_cell_above && interval.lower > kProbability;
     summary.some_cell_below = summary.some_cell_below || interval.upper <= kProbability;
     if (interval.lower <= kProbability)
-      summary.open_cells.push_back("start=" + cell.start + " n=" + grouped(cell.n) + " (" + std::to_string(count) +
-                                   " of " + std::to_string(runs.size()) + ")");
+      summary.open_cells.push_back(
+          fmt::format("start={} n={} ({} of {})", cell.start, grouped(cell.n), count, runs.size()));
   }
   return summary;
 }
@@ -81,8 +83,9 @@ Finding judge_local_search_probability(const StudyRecords& records) {
       if (summary.some_cell_below) finding.verdict = ClaimVerdict::refuted;
       finding.missing = "more finished runs of: " + joined(summary.open_cells) +
                         "; six successes of six are the fewest that show P > 1/2";
-      finding.measured = share + " runs end below 1.1 OPT (uniform, " + size_range(finding.rows) +
-                         "); in every cell of n and start P >= " + fixed(summary.min_lower, 2) + " with 95% confidence";
+      finding.measured = fmt::format(
+          "{} runs end below 1.1 OPT (uniform, {}); in every cell of n and start P >= {:.2f} with 95% confidence",
+          share, size_range(finding.rows), summary.min_lower);
     } else if (epsilon < kDecidingEpsilon) {
       harder += "; below " + significant(1 + epsilon, epsilon < 0.005 ? 4 : 3) + " OPT: " + share;
     }

@@ -1,4 +1,6 @@
 // C13: how good the quadtree triangulation is.
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "harness/claims/report_claims.h"
@@ -29,7 +31,7 @@ ClaimVerdict quadtree_verdict(const std::vector<double>& values, const PowerLaw&
 
 std::string quadtree_missing(std::size_t instances, const std::optional<PowerLaw>& growth) {
   if (instances < kMinQuadtreeInstances)
-    return std::to_string(instances) + " instances, " + std::to_string(kMinQuadtreeInstances) + " are needed";
+    return fmt::format("{} instances, {} are needed", instances, kMinQuadtreeInstances);
   if (!growth) return "rated runs on uniform points at three sizes";
   return "growth on uniform points is neither sure nor excluded; more sizes would tell";
 }
@@ -46,11 +48,11 @@ Finding judge_quadtree_alpha(const StudyRecords& records) {
   finding.missing = quadtree_missing(values.size(), growth);
   if (growth && values.size() >= kMinQuadtreeInstances) finding.verdict = quadtree_verdict(values, *growth);
   const RunRecord& largest = worst(everywhere);
-  finding.measured = "alpha on random points: mean " + fixed(mean(values), 4) + ", 95% below " +
-                     fixed(quantile(values, 0.95), 4) + " (" + size_range(finding.rows) + ")";
+  finding.measured = fmt::format("alpha on random points: mean {:.4f}, 95% below {:.4f} ({})", mean(values),
+                                 quantile(values, 0.95), size_range(finding.rows));
   if (growth) finding.measured += ", on uniform points ~ n^" + exponent_text(*growth);
-  finding.measured += "; no bound in general: " + significant(*largest.alpha_upper, 3) + " on " + largest.generator +
-                      ", n = " + grouped(largest.n);
+  finding.measured += fmt::format("; no bound in general: {} on {}, n = {}", significant(*largest.alpha_upper, 3),
+                                  largest.generator, grouped(largest.n));
   return finding;
 }
 

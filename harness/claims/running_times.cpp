@@ -1,4 +1,6 @@
 // C12: fitted running times against the stated ones, the report's literal algorithms and the fast ones side by side.
+#include <fmt/core.h>
+
 #include <cmath>
 #include <set>
 
@@ -135,10 +137,10 @@ class Judge {
                                                                     : "";
     const std::string exponent = exponent_text(*law) + beside;
     if (!agrees && !contradicts)
-      miss(name + ": the interval of its exponent, " + exponent + ", holds " + fixed(most, 2));
+      miss(fmt::format("{}: the interval of its exponent, {}, holds {:.2f}", name, exponent, most));
     add(runs, {statement.algorithm, statement.family, statement.stated, size_range(runs), exponent,
                word_for(agrees, contradicts)});
-    say(name + " n^" + fixed(law->exponent.value, 2) + beside + " (" + statement.stated + ")");
+    say(fmt::format("{} n^{:.2f}{} ({})", name, law->exponent.value, beside, statement.stated));
   }
 
   static std::string word_for(bool agrees, bool contradicts) { return agrees ? "yes" : contradicts ? "no" : "open"; }
@@ -160,9 +162,8 @@ class Judge {
   void miss_sizes(const std::string& name, const std::string& from, const Runs& runs) {
     std::vector<std::string> sizes;
     for (const Index n : sizes_of(runs)) sizes.push_back(grouped(n));
-    miss(name + " has CPU times of finished runs at " + std::to_string(sizes.size()) + " sizes" + from +
-         (sizes.empty() ? "" : " (n = " + joined(sizes, "; ") + ")") + ", " + std::to_string(kMinSizes) +
-         " are needed");
+    miss(fmt::format("{} has CPU times of finished runs at {} sizes{}{}, {} are needed", name, sizes.size(), from,
+                     sizes.empty() ? "" : " (n = " + joined(sizes, "; ") + ")", kMinSizes));
   }
 
   void say(const std::string& text) { finding_.measured += (finding_.measured.empty() ? "" : ", ") + text; }

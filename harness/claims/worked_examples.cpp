@@ -1,5 +1,7 @@
 // C1, C2 and C9: the report's worked examples. Their point sets have so few triangulations that a weight to the printed
 // digits tells which one it is; worked_examples_test.cpp shows it.
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
 
@@ -37,8 +39,8 @@ Finding judge_weight(Runs runs, const Printed& printed) {
     if (!agrees(*run, printed)) finding.verdict = ClaimVerdict::refuted;
   }
   const RunRecord& first = *finding.rows.front();
-  finding.measured = "total " + fixed(first.weight_upper.value_or(0), 10) + ", " +
-                     std::to_string(first.triangles.value_or(0)) + " triangles";
+  finding.measured =
+      fmt::format("total {:.10f}, {} triangles", first.weight_upper.value_or(0), first.triangles.value_or(0));
   if (first.alpha_upper) finding.measured += "; alpha = " + fixed(*first.alpha_upper, 5);
   return finding;
 }

@@ -1,5 +1,7 @@
 #include "harness/study/plan.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -149,9 +151,9 @@ class Planner {
     std::string complaint;
     const Index n = nearest_legal_n(source, wanted, complaint);
     const std::string family = name_with_parameters(source.family.name, source.parameters.canonical());
-    if (n == 0) plan_.notes.push_back("left out: " + family + " n=" + std::to_string(wanted) + ": " + complaint);
+    if (n == 0) plan_.notes.push_back(fmt::format("left out: {} n={}: {}", family, wanted, complaint));
     if (n != 0 && n != wanted) {
-      plan_.notes.push_back(family + " has no n=" + std::to_string(wanted) + "; taken: n=" + std::to_string(n));
+      plan_.notes.push_back(fmt::format("{} has no n={}; taken: n={}", family, wanted, n));
     }
     return n;
   }
@@ -196,8 +198,8 @@ class Planner {
       if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
     }
     if (plan_.runs.size() > kMaxRuns) {
-      throw InputError("study '" + study_.name + "' has more than " + std::to_string(kMaxRuns) +
-                       " runs; divide it into several studies");
+      throw InputError(
+          fmt::format("study '{}' has more than {} runs; divide it into several studies", study_.name, kMaxRuns));
     }
     std::sort(plan_.runs.begin() + static_cast<std::ptrdiff_t>(begin), plan_.runs.end(),
               [](const PlannedRun& a, const PlannedRun& b) { return a.run_id < b.run_id; });
@@ -214,7 +216,7 @@ class Planner {
 }  // namespace
 
 std::string PlannedInstance::label() const {
-  return name_with_parameters(generator, parameters) + " n=" + std::to_string(n) + " seed=" + std::to_string(seed);
+  return fmt::format("{} n={} seed={}", name_with_parameters(generator, parameters), n, seed);
 }
 
 std::set<std::string> run_ids_of(const Plan& plan) {

@@ -1,5 +1,7 @@
 #include "harness/study/study_results.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -75,7 +77,7 @@ RunRecord StudyResults::add(RunRecord run) {
   known_.rate(run);
   if (is_disproved(run) && disproofs.empty()) {
     ++outcome_.contradictions;
-    announce_(run.algorithm + " on " + label + ": " + run.message);
+    announce_(fmt::format("{} on {}: {}", run.algorithm, label, run.message));
   }
   folder_.append(run);
   settle(run.instance_id, label, disproofs);

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/Statement.h>
 #include <SQLiteCpp/Transaction.h>
 #include <SQLiteCpp/VariadicBind.h>
+#include <fmt/core.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -178,7 +179,7 @@ void History::make_tables() {
   SQLite::Transaction transaction(*database_, kWriting);
   if (database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0) {
     database_->exec(kTables);
-    database_->exec("PRAGMA user_version = " + std::to_string(kHistoryVersion));
+    database_->exec(fmt::format("PRAGMA user_version = {}", kHistoryVersion));
   }
   transaction.commit();
 }
