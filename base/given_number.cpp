@@ -52,7 +52,7 @@ std::string mistake_in(std::string_view text, NumberRange<Number> range) {
   return is_below ? "is below " + text_of(range.least) : "is above " + text_of(range.most);
 }
 
-// "; give a whole number from 1 to 8". All numbers of a type need no ends, and "is not a number" says it already.
+// "; give a whole number from 1 to 8". Without limits it has no ends, and is empty if `mistake` has named the kind.
 template <class Number>
 std::string remedy_for(const std::string& mistake, NumberRange<Number> range) {
   using Limits = std::numeric_limits<Number>;

@@ -23,7 +23,7 @@ std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc::invalid_argument || stop != end) return std::nullopt;
-  // Beyond the doubles std::from_chars leaves value alone; std::strtod tells overflow (infinite) from underflow (tiny).
+  // Beyond the doubles std::from_chars leaves value alone; std::strtod returns infinity or a tiny number.
   if (error == std::errc::result_out_of_range) return std::strtod(std::string(text).c_str(), nullptr);
   return value;
 }

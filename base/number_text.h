@@ -7,8 +7,8 @@
 
 namespace mwt {
 
-/// The double nearest to a decimal number such as -1, +.5 or 1.11630e+03; infinite if it is beyond the largest double
-/// or if the text says so, NaN if the text says so; nothing unless the whole text is one number.
+/// The double nearest to a decimal number such as -1, +.5 or 1.11630e+03; infinite if it is beyond the largest double;
+/// `inf` and `nan` are numbers, too. Nothing unless the whole text is one number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// A decimal whole number within the range of `Whole`: leading zeros mean nothing, one plus sign may stand in front;

@@ -159,10 +159,10 @@ Triangulation greedy_naive(Points points) {
 AlgorithmInfo greedy_naive_entry() {
   AlgorithmInfo info;
   info.name = "greedy_naive";
-  info.summary = "greedy: shortest pairs first, as the report writes it";
+  info.summary = "greedy: shortest pairs first, as the source report writes it";
   info.source = "source report, section 5.1";
   info.guarantee = "Theta(sqrt n) in the worst case (Levcopoulos 1987; Levcopoulos and Krznaric 1998)";
-  info.time = "O(n^3) worst case (the report bounds it by O(n^4))";
+  info.time = "O(n^3) worst case (the source report bounds it by O(n^4))";
   info.space = "O(n^2)";
   info.max_n = 4000;
   info.function = solve;

@@ -23,11 +23,11 @@ struct HullInsertion {
   std::size_t depth = 0;            ///< the largest number of splits that led to one triangle
 };
 
-/// Triangulates the convex hull by triangulate_polygon() with the report's cost, the sum of perimeters, the cycle
-/// starting at the lexicographically smallest point. Then inserts every interior point in the given order: the triangle
-/// (a, b, c) that holds it is replaced in place by (a, b, p), (b, c, p), (c, a, p). A point on an edge replaces the
-/// triangles on both sides, each in place, leaving out the flat one of the three. The list is in the order that this
-/// gives.
+/// Triangulates the convex hull by triangulate_polygon() with the source report's cost, the sum of perimeters, the
+/// cycle starting at the lexicographically smallest point. Then inserts every interior point in the given order: the
+/// triangle (a, b, c) that holds it is replaced in place by (a, b, p), (b, c, p), (c, a, p). A point on an edge
+/// replaces the triangles on both sides, each in place, leaving out the flat one of the three. The list is in the order
+/// that this gives.
 ///
 /// `seed` matters for InsertionOrder::random only (Boost.Random: the same on every platform).
 /// Points on the hull's sides belong to the hull. Preconditions: distinct points, not all collinear; at most

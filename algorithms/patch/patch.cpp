@@ -16,7 +16,7 @@ namespace mwt {
 
 namespace {
 
-constexpr std::array<std::uint32_t, 2> kQueuedMarks = {512, 1024};  // the triangle of this smallest halfedge waits
+constexpr std::array<std::uint32_t, 2> kQueuedMarks = {512, 1024};  // the triangle of this smallest halfedge is queued
 
 Halfedge name_of_triangle(const PlanarMesh& mesh, Halfedge h) {
   return std::min(h, std::min(mesh.next(h), mesh.previous(h)));
@@ -95,7 +95,7 @@ class PatchSearch {
     for (const MeshEdge e : polygon_.inner()) enqueue(2 * e);
   }
 
-  // Whether a patch of the same triangles was tried since the last improvement, which is so for one in five; remembers
+  // Whether a patch of the same triangles was tried since the last improvement, as one in five was; records
   // this one. A collision of 64-bit sums would spare a patch that another start may still find.
   bool is_known_to_fail() {
     std::uint64_t sum = 0;
@@ -184,14 +184,10 @@ AlgorithmInfo patch_entry() {
   info.summary = "re-triangulates patches of k triangles optimally until none improves (large-neighbourhood search)";
   info.source =
       "this project; sub-solver: G. T. Klincsek, Minimal triangulations of polygonal domains (1980); beta-skeleton "
-      "edges: "
-      "S.-W. "
-      "Cheng, "
-      "Y.-F. Xu, On beta-skeleton as a subgraph of the minimum weight triangulation (2001)";
+      "edges: S.-W. Cheng, Y.-F. Xu, On beta-skeleton as a subgraph of the minimum weight triangulation (2001)";
   info.guarantee =
       "never worse than its start: with start=greedy the O(sqrt n) of greedy (Levcopoulos, Krznaric 1998); optimal if "
-      "one "
-      "patch covers a convex polygon";
+      "one patch covers a convex polygon";
   info.version = 3;
   info.time = "O(n k^3) per pass; a few passes in practice";
   info.space = "O(n + k^2)";

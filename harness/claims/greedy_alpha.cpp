@@ -30,7 +30,7 @@ double share_in_band(const std::vector<double>& values) {
 
 std::string percent(double share) { return fixed(100 * share, 1) + "%"; }
 
-// One run per instance: where both versions of greedy ran they agree, and the literal one speaks.
+// One run per instance: where both versions of greedy ran they agree, and the literal one counts.
 Runs one_per_instance(const Runs& runs) {
   std::map<std::string, const RunRecord*> chosen;
   for (const RunRecord* run : runs) {

@@ -41,7 +41,7 @@ Finding judge_greedy_linear_bound(const StudyRecords& records) {
   }
   finding.missing = is_below_n
                         ? "the exponent's interval on " + steepest->family + " holds 1; more sizes would narrow it"
-                        : "some alpha is above n, at sizes too small to tell growth";
+                        : "some alpha is above n, at sizes too small to show growth";
   finding.measured = fmt::format(
       "steepest on {}: alpha grows like n^{}; largest alpha {} at n = {} on {}. The worst case is Theta(sqrt n) "
       "(Levcopoulos, Krznaric 1998)",
@@ -58,8 +58,7 @@ Claim greedy_linear_bound() {
           "5.1.4",
           "greedy_naive and greedy on every family, against proved optima",
           "holds: alpha <= n everywhere, and on the family where it grows fastest the exponent's upper 95% limit is at "
-          "most "
-          "1; refuted: its lower limit is above 1; otherwise undecided",
+          "most 1; refuted: its lower limit is above 1; otherwise undecided",
           "mwt generate greedy_corridor --n 1000 -o p.csv && mwt solve p.csv --algorithm greedy --with-optimum",
           judge_greedy_linear_bound};
 }

@@ -28,7 +28,7 @@ bool are_proved(const Runs& runs) {
   return std::all_of(runs.begin(), runs.end(), [](const RunRecord* run) { return run->optimality == "proved"; });
 }
 
-// The two steps at which the report's proof fails, the second with what was measured instead.
+// The two steps at which the source report's proof fails, the second with what was measured instead.
 std::string false_steps(const Runs& runs) {
   const auto groups = by_family(runs);
   const auto uniform = groups.find("uniform");
@@ -79,7 +79,7 @@ Finding judge_insertion_logarithmic(const StudyRecords& records) {
   if (finding.details.rows.empty()) return finding;
   finding.missing =
       "nowhere does alpha surely outgrow log n, nor is that excluded everywhere (see the intervals of alpha / log n); "
-      "larger sizes, or proofs of all optima, would tell";
+      "larger sizes, or proofs of all optima, would decide";
   finding.verdict = growth.beyond_log           ? ClaimVerdict::refuted
                     : growth.nowhere_beyond_log ? ClaimVerdict::holds
                                                 : ClaimVerdict::undecided;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Index kMinSearchN = 20;
 constexpr double kProbability = 0.5;  // the claim: above 1 - delta, delta at most one half
-// The report's own, from the harder end; then harder questions.
+// The source report's own, from the harder end; then harder questions.
 constexpr std::array<double, 4> kEpsilons = {0.1, 0.2, 0.01, 0.001};
 constexpr double kDecidingEpsilon = 0.1;
 
@@ -97,18 +97,17 @@ Finding judge_local_search_probability(const StudyRecords& records) {
 }  // namespace
 
 Claim local_search_probability() {
-  return {"C10",
-          "Local search: P[weight < (1+eps) OPT] > 1 - delta with eps in [0.1, 0.2], delta <= 0.5, n >= 20",
-          "5.3.4",
-          "flip_naive (improvement=first) on uniform points from n = 20, for every start and n, against proved optima",
-          "with the exact 95% interval (Clopper-Pearson) for the probability at eps = 0.1 in every cell of n and "
-          "start: holds "
-          "if all lie above one half; refuted if one does not reach above it; otherwise undecided. eps = 0.2 follows "
-          "from 0.1",
-          "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm flip_naive --param "
-          "start=sweep "
-          "--with-optimum",
-          judge_local_search_probability};
+  return {
+      "C10",
+      "Local search: P[weight < (1+eps) OPT] > 1 - delta with eps in [0.1, 0.2], delta <= 0.5, n >= 20",
+      "5.3.4",
+      "flip_naive (improvement=first) on uniform points from n = 20, for every start and n, against proved optima",
+      "with the exact 95% interval (Clopper-Pearson) for the probability at eps = 0.1 in every cell of n and start: "
+      "holds if all lie above one half; refuted if one does not reach above it; otherwise undecided. eps = 0.2 follows "
+      "from 0.1",
+      "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm flip_naive --param start=sweep "
+      "--with-optimum",
+      judge_local_search_probability};
 }
 
 }  // namespace mwt::claims

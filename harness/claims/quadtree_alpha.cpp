@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index kMinQuadtreeN = 20;
 constexpr std::size_t kMinQuadtreeInstances = 30;
-constexpr double kGood = 1.5;  // the upper end of what the report calls near-optimal of greedy
+constexpr double kGood = 1.5;  // the upper end of what the source report calls near-optimal of greedy
 constexpr double kClearQuadtreeGrowth = 0.05;
 
 std::optional<PowerLaw> growth_on_uniform(const Runs& runs) {
@@ -33,7 +33,7 @@ std::string quadtree_missing(std::size_t instances, const std::optional<PowerLaw
   if (instances < kMinQuadtreeInstances)
     return fmt::format("{} instances, {} are needed", instances, kMinQuadtreeInstances);
   if (!growth) return "rated runs on uniform points at three sizes";
-  return "growth on uniform points is neither sure nor excluded; more sizes would tell";
+  return "growth on uniform points is neither sure nor excluded; more sizes would decide";
 }
 
 Finding judge_quadtree_alpha(const StudyRecords& records) {
@@ -64,11 +64,9 @@ Claim quadtree_alpha() {
       "The quadtree triangulation is a good approximation (no figure given)",
       "5.4",
       "quadtree on uniform, normal and clustered points and on points from files, from n = 20, against proved optima",
-      "read as alpha at most 1.5, the report's word for near-optimal: holds if 95% of the runs are within it and alpha "
-      "on "
-      "uniform points does not grow (exponent's upper 95% limit at most 0.05); refuted if fewer are, or it does; "
-      "undecided "
-      "with fewer than 30 instances or between",
+      "read as alpha at most 1.5, the source report's word for near-optimal: holds if 95% of the runs are within it "
+      "and alpha on uniform points does not grow (exponent's upper 95% limit at most 0.05); refuted if fewer are, or "
+      "it does; undecided with fewer than 30 instances or between",
       "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm quadtree --with-optimum",
       judge_quadtree_alpha};
 }

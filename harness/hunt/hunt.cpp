@@ -130,15 +130,15 @@ HuntResult hunt(const HuntPlan& plan, const HuntLimits& limits, const std::strin
                 const std::function<void(const HuntResult&)>& has_improved) {
   const InterruptWatch watch;
   Expedition expedition(plan, limits, initial_states(plan, state_file));
-  double told = 0;
+  double reported = 0;
   bool goes_on = true;
   while (goes_on) {
     goes_on = expedition.wait();
     const std::vector<ClimberState> states = expedition.states();
     write_hunt_state(state_file, plan.identity(), states);
     const HuntResult result = result_of(states);
-    if (result.worst.alpha > told) has_improved(result);
-    told = result.worst.alpha;
+    if (result.worst.alpha > reported) has_improved(result);
+    reported = result.worst.alpha;
   }
   HuntResult result = result_of(expedition.states());
   result.interrupted = InterruptWatch::requested();

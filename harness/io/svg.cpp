@@ -18,7 +18,7 @@ namespace mwt {
 namespace {
 
 // Black, pale blue and vermilion, after Okabe and Ito's palette for the colour-blind. The lines carry their colours as
-// attributes as well, for programs that know no style sheets.
+// attributes as well, for programs without style sheets.
 constexpr std::string_view kStyle =
     "<style>\n"
     ".background{fill:#ffffff}.line{fill:none;stroke-linecap:round;stroke-linejoin:round}\n"

@@ -45,7 +45,7 @@ std::array<std::size_t, kCorners> find_columns(const TextTable& table) {
   }
   const bool begins_with_labels = !table.header().empty() && names_row_labels(table.header().front());
   if (named == kCorners || (named == 0 && !begins_with_labels)) return columns;
-  table.fail_in_header("the header does not tell which columns are the corners; call them " + corner_names<kCorners>());
+  table.fail_in_header("the header does not name the columns of the corners; call them " + corner_names<kCorners>());
 }
 
 template <std::size_t kCorners>

@@ -118,8 +118,7 @@ bool require_this_study(const std::string& folder, const std::string& study_file
   if (!fs::exists(copy)) {
     if (holds_only_traces_of_a_start(folder)) return false;
     throw InputError(folder +
-                     ": has things in it, but no study.toml that tells of which study; choose another folder"
-                     " with --out");
+                     ": is not empty, but has no study.toml that names its study; choose another folder with --out");
   }
   if (read_regular_file(copy) == study_file) return true;
   throw InputError(folder + ": its study.toml differs from this study; choose another folder with --out");

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kWidestAlpha = .01;  // relative width of a certified alpha that still counts
 
-// Certified alphas of the instances that a law speaks of, by n.
+// Certified alphas of the instances to which a law applies, by n.
 using Alphas = std::multimap<Index, Interval>;
 
 Alphas alphas_for(const GeneratorInfo& family, const GrowthLaw& law, const std::vector<RunRecord>& runs,

@@ -14,7 +14,7 @@ namespace mwt {
 
 namespace {
 
-// The points, copies of them while they are made, checked and told apart, and their hull.
+// The points, copies of them while they are made, checked and compared, and their hull.
 constexpr std::uint64_t kBytesPerPoint = 100;
 
 template <class Info>

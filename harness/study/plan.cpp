@@ -50,14 +50,14 @@ std::vector<Choice> without_wildcard(const std::vector<Choice>& choices, std::sp
   return expanded;
 }
 
-// A family with its parameters and a seed, before n is known.
+// A family with its parameters and a seed, without n.
 struct Source {
   const GeneratorInfo& family;
   const Parameters& parameters;
   std::uint64_t seed;
 };
 
-// Whether the family has an instance of n points. A family that fails has one, so that its runs tell the failure.
+// Whether the family has an instance of n points. A family that fails has one, so that its runs report the failure.
 // Throws NotEnoughMemory.
 bool has_instance(const Source& source, Index n, std::string& complaint) {
   try {
@@ -75,7 +75,7 @@ bool has_instance(const Source& source, Index n, std::string& complaint) {
 }
 
 // The nearest n of which the family has an instance, the smaller one of two; 0 if there is none near. `complaint` is
-// what the family says of `wanted` itself.
+// the error message of the family for `wanted` itself.
 Index nearest_legal_n(const Source& source, Index wanted, std::string& complaint) {
   if (has_instance(source, wanted, complaint)) return wanted;
   std::string ignored;

@@ -1,4 +1,4 @@
-// The only door to toml++.
+// The only source that includes toml++.
 #include <fmt/core.h>
 #include <toml++/toml.h>
 

@@ -46,7 +46,7 @@ void StudyResults::settle(const std::string& instance_id, const std::string& lab
   }
   const auto discarded =
       cache_ == nullptr ? std::vector<std::string>() : cache_->discard_disproved(instance_id, weight);
-  for (const std::string& path : discarded) announce_("thrown out of the optimum cache: " + path);
+  for (const std::string& path : discarded) announce_("removed from the optimum cache: " + path);
   folder_.settle(instance_id);
 }
 
@@ -97,7 +97,7 @@ void StudyResults::compare_with_cache(RunRecord& run, const OptimumKey& key) {
     if (disproof.claim.id == "run") {
       reject(run, disproof);
     } else {
-      announce_(disproof.text() + "; it is thrown out");
+      announce_(disproof.text() + "; it is removed from the optimum cache");
       static_cast<void>(cache_->discard_disproved(run.instance_id, disproof.weight));
     }
   }

@@ -56,7 +56,7 @@ PointColumns columns_by_place(const TextTable& table) {
   const auto labels = std::count_if(header.begin(), header.end(), names_row_labels);
   if (header.size() == 2 && labels == 0) return {};
   if (header.size() == 3 && labels == 1 && names_row_labels(header[0])) return {1, 2, 0};
-  table.fail_in_header("the header does not tell which columns are the coordinates; call them x and y");
+  table.fail_in_header("the header does not name the columns of the coordinates; call them x and y");
 }
 
 PointColumns columns_by_header(const TextTable& table) {

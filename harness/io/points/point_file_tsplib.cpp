@@ -103,7 +103,7 @@ bool read_coordinates(TextLines& lines, std::vector<Point>& points) {
   return false;
 }
 
-// What a file says, section by section.
+// The content of a file, section by section.
 class TsplibReader {
  public:
   TsplibReader(const std::string& source, std::string_view text) : lines_(source, text) {}

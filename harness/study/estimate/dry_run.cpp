@@ -95,7 +95,7 @@ std::string basis_text(TimeBasis basis) {
     case TimeBasis::other_sizes: return "extrapolated from other sizes of the family";
     case TimeBasis::other_families: return "as on other families";
     case TimeBasis::other_variants: return "as with other parameters";
-    case TimeBasis::nothing: return "of which nothing is known, at their limits";
+    case TimeBasis::nothing: return "without any observation, at their limits";
   }
   return "";
 }

@@ -111,7 +111,7 @@ std::vector<std::string> told_times(const Comparison& comparison, Verdict verdic
   return names;
 }
 
-std::vector<std::string> told(const Comparison& comparison, Verdict verdict) {
+std::vector<std::string> reported(const Comparison& comparison, Verdict verdict) {
   std::vector<std::string> names = told_times(comparison, verdict);
   for (const ExactFinding& finding : comparison.findings) {
     if (finding.is_regression == (verdict == Verdict::regression))
@@ -218,8 +218,8 @@ std::string both_texts(const Settled& settled, bool every_cell, const std::strin
 }  // namespace
 
 std::string verdict_line(const Comparison& comparison) {
-  const std::vector<std::string> worse = told(comparison, Verdict::regression);
-  const std::vector<std::string> better = told(comparison, Verdict::improvement);
+  const std::vector<std::string> worse = reported(comparison, Verdict::regression);
+  const std::vector<std::string> better = reported(comparison, Verdict::improvement);
   const std::vector<std::string> open = told_times(comparison, Verdict::unclear);
   const std::string unclear = open.empty() ? "" : fmt::format(", {} unclear{}", open.size(), in_brackets(open));
   const bool is_refused = comparison.outcome() == Outcome::not_compared;

@@ -131,7 +131,7 @@ class Side {
     fs::remove_all(records);
     const int code = run_program({program_, "run", study_file, "--out", records.string(), "--no-cache"}, log);
     if (InterruptWatch::requested()) return;
-    // A failed run is a row, whatever the program's exit code says of it.
+    // A failed run is a row, whatever the program's exit code.
     const bool has_records = code == kExitOk || (code == kExitNegative && fs::exists(records / "runs.csv"));
     if (!has_records) throw InputError(fmt::format("{}: exit code {}: {}", program_, code, end_of(read_file(log))));
     adopt(cell, read_results(records.string()), repetition);
@@ -243,8 +243,8 @@ bool InterleavedBuilds::is_out_of_time() const {
 
 int InterleavedBuilds::repetitions() const { return sides_->repetition; }
 
-bool InterleavedBuilds::run(const std::set<TrackedCell>& wanted, int repetitions) {
-  std::vector<TrackedCell> order(wanted.begin(), wanted.end());
+bool InterleavedBuilds::run(const std::set<TrackedCell>& chosen, int repetitions) {
+  std::vector<TrackedCell> order(chosen.begin(), chosen.end());
   const InterruptWatch watch;
   Progress progress(out_, options_.is_terminal, "pairs", order.size() * static_cast<std::size_t>(repetitions));
   for (const int end = sides_->repetition + repetitions; sides_->repetition < end; ++sides_->repetition) {

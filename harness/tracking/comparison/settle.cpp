@@ -36,7 +36,7 @@ void take_over_rows(std::vector<TimeRow>& all, std::vector<TimeRow> latest) {
   }
 }
 
-/// What more repetitions may settle. An algorithm that is known to be slower needs none.
+/// The cells that more repetitions may settle. An algorithm that is proved slower needs none.
 std::set<TrackedCell> unclear_cells(const Comparison& comparison) {
   std::set<TrackedCell> cells = comparison.cells_that_are({Verdict::unclear});
   for (const TimeRow& row : comparison.algorithms) {
@@ -74,7 +74,7 @@ std::optional<Comparison> settle(std::set<TrackedCell> cells, InterleavedBuilds&
     take_over(all, std::move(latest), cells);
     cells = unclear_cells(all);
     if (!builds.is_out_of_time()) continue;
-    if (!cells.empty()) all.notes.emplace_back("the time for runs in turn was up: what is unclear stays so");
+    if (!cells.empty()) all.notes.emplace_back("the time for runs in turn was up: unclear cells stay unclear");
     break;
   }
   return all;
