@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -42,14 +43,18 @@ class Context {
 
   std::uint64_t seed = 1;
   int threads = 1;
-  Parameters parameters;               ///< complete: every declared parameter has a value
-  Deadline deadline;                   ///< soft: return the best valid triangulation found by then
-  std::optional<Triangulation> start;  ///< a given triangulation to start from, already checked
+  Parameters parameters;                      ///< complete: every declared parameter has a value
+  Deadline deadline;                          ///< soft: return the best valid triangulation found by then
+  std::optional<std::uint64_t> memory_bytes;  ///< soft: no larger tables than that; none: as much as it takes
+  std::optional<Triangulation> start;         ///< a given triangulation to start from, already checked
   std::function<void(const std::string& stage, double done)> progress;  ///< optional; done in [0, 1]
   std::vector<std::pair<std::string, double>> phases;                   ///< seconds per named phase, in order
 
   /// Call it about once per millisecond of work; reading the clock takes some tens of nanoseconds.
   [[nodiscard]] bool deadline_passed() const { return has_passed(deadline); }
+
+  /// Whether tables of so many bytes may be made. An algorithm for which they may not stops with StopReason::memory.
+  [[nodiscard]] bool fits(std::uint64_t bytes) const { return !memory_bytes || bytes <= *memory_bytes; }
 };
 
 /// Adds the lifetime of this object to context.phases under `name`.

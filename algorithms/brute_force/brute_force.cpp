@@ -5,6 +5,8 @@
 #include <bitset>
 #include <string>
 
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
 #include "base/error.h"
 #include "geometry/convex_hull.h"
@@ -178,14 +180,20 @@ Solution solve(Points points, Context& context) {
     throw NotApplicable(fmt::format("brute_force: {} points; it takes at most {} (parameter max_points, up to {})",
                                     points.size(), limit, kBruteForceMaxN));
   }
-  BruteForceResult result = enumerate_triangulations(points, context);
+  BruteForceResult result = [&] {
+    const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
+    return enumerate_triangulations(points, context);
+  }();
   Solution solution;
   solution.triangulation = std::move(result.lightest);
-  solution.stop_reason = deadline_if(!result.complete);
   solution.counters["triangulations"] = static_cast<double>(result.count);
   if (result.complete) {
     solution.optimum = result.optimum;
     solution.count = std::to_string(result.count);
+  } else {
+    solution.stop_reason = StopReason::deadline;
+    solution.optimum = {cycle_length(points, convex_hull(points)).lower, result.optimum.upper};
+    improve_by_heuristics(points, context, solution);
   }
   return solution;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/common/other_deadline.h"
 #include "algorithms/flip/flip.h"
 #include "algorithms/patch/patch.h"
 #include "geometry/weight.h"
@@ -71,6 +72,15 @@ Triangulation lightest_heuristic(Points points, const Context& context, const st
   if (own) consider_patched(&*own);
   if (!greedy_is_better) consider_patched(&flipped);
   return result.take();
+}
+
+void improve_by_heuristics(Points points, Context& context, Solution& solution) {
+  const ScopedPhase phase(context, "heuristics");
+  const OtherDeadline last_moment(context, deadline_of_heuristics(context.deadline));
+  std::optional<Triangulation> own;
+  if (!solution.triangulation.triangles.empty()) own = std::move(solution.triangulation);
+  solution.triangulation = lightest_heuristic(points, context, own);
+  if (solution.optimum) solution.optimum->upper = weight(points, solution.triangulation).upper;
 }
 
 Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n) {

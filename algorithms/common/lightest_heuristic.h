@@ -23,11 +23,16 @@ namespace mwt {
 [[nodiscard]] Triangulation lightest_heuristic(Points points, const Context& context,
                                                const std::optional<Triangulation>& own = {});
 
-/// When an exact algorithm that must end by `deadline` should leave its own work for lightest_heuristic() of n points:
-/// a quarter of the remaining time before it, or less where that suffices.
+/// For an exact algorithm that something has stopped: replaces its triangulation, if it has one, by the lightest of
+/// that and what heuristics find until deadline_of_heuristics(context.deadline), and lowers the upper end of its
+/// certified optimum, if it has one, to the new weight.
+void improve_by_heuristics(Points points, Context& context, Solution& solution);
+
+/// When an exact algorithm that must end by `deadline` should leave its own work for improve_by_heuristics() of n
+/// points: a quarter of the remaining time before it, or less where that suffices.
 [[nodiscard]] Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n);
 
-/// The deadline for lightest_heuristic(): the given one, but at least 0.2 s from now, so that small
+/// The deadline for improve_by_heuristics(): the given one, but at least 0.2 s from now, so that small
 /// instances are improved even when the time limit has passed.
 [[nodiscard]] Deadline deadline_of_heuristics(const Deadline& deadline);
 

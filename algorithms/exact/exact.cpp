@@ -9,17 +9,18 @@
 #include <utility>
 
 #include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/exact/candidates/certain_edges.h"
-#include "algorithms/exact/candidates/convex_position.h"
 #include "algorithms/exact/candidates/diamond_candidates.h"
-#include "algorithms/exact/candidates/far_edges.h"
 #include "algorithms/exact/candidates/kd_order.h"
 #include "algorithms/exact/candidates/lmt_skeleton.h"
+#include "algorithms/exact/division/certain_division.h"
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
+#include "algorithms/polygon_dp/convex_polygon.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
 
@@ -27,27 +28,13 @@ namespace mwt {
 
 namespace {
 
-// Gives the context another deadline for the lifetime of this object.
-class OtherDeadline {
- public:
-  OtherDeadline(Context& context, const Deadline& other)
-      : context_(context), original_(std::exchange(context.deadline, other)) {}
-  ~OtherDeadline() { context_.deadline = original_; }
-  OtherDeadline(const OtherDeadline&) = delete;
-  OtherDeadline& operator=(const OtherDeadline&) = delete;
-
- private:
-  Context& context_;
-  Deadline original_;
-};
-
 class ExactSolver {
  public:
   ExactSolver(Points points, Context& context) : points_(points), context_(context) {}
 
   Solution run() {
     Solution solution = run_stages();
-    if (solution.stop_reason) improve(solution);
+    if (solution.stop_reason) improve_by_heuristics(points_, context_, solution);
     solution.counters = std::move(counters_);
     return solution;
   }
@@ -56,9 +43,10 @@ class ExactSolver {
   Solution run_stages() {
     const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
     try {
-      CandidateGraph graph = candidates();
+      std::optional<CandidateGraph> graph = candidates();
+      if (!graph) return convex_solution();
       const ScopedPhase phase(context_, "faces");
-      const FaceSolution faces = solve_faces(std::move(graph), context_);
+      const FaceSolution faces = solve_faces(*std::move(graph), context_);
       count(faces);
       return make_solution(faces);
     } catch (const SearchStopped& stopped) {
@@ -68,7 +56,8 @@ class ExactSolver {
     }
   }
 
-  CandidateGraph candidates() {
+  // Nothing for points in convex position: these are then convex_polygon_.
+  std::optional<CandidateGraph> candidates() {
     report_stage("k-d order", 0);
     {
       const ScopedPhase phase(context_, "kd_order");
@@ -81,34 +70,50 @@ class ExactSolver {
       const ScopedPhase phase(context_, "diamond_test");
       const DiamondTest test(order_);
       const std::vector<Index> hull = find_hull(test.possible_hull_points());
-      if (hull.size() == points_.size()) return convex_position_candidates(order_.points, hull);
+      if (hull.size() == points_.size()) {
+        for (const Index p : hull) convex_polygon_.push_back(order_.original[p]);
+        return {};
+      }
       hull_edges.next.assign(points_.size(), kNoIndex);
       for (std::size_t i = 0; i < hull.size(); ++i) hull_edges.next[hull[i]] = hull[(i + 1) % hull.size()];
       blocks = test.find_candidates(context_);
     }
     count_edges("edges_after_diamond_test", blocks);
     report_stage("LMT-skeleton", 0.4);
-    return candidates_of(skeleton_of(hull_edges, std::move(blocks)));
+    LmtSkeleton skeleton = skeleton_of(hull_edges, std::move(blocks));
+    CandidateGraph graph = candidates_of(skeleton);
+    if (!is_connected(graph)) divide(hull_edges, skeleton, graph);
+    count(graph);
+    return graph;
+  }
+
+  void divide(const HullEdges& hull_edges, LmtSkeleton& skeleton, CandidateGraph& graph) {
+    report_stage("beta-skeleton", 0.85);
+    const ScopedPhase phase(context_, "beta_skeleton");
+    const std::size_t crossing = delete_what_crosses_beta_skeleton(graph, hull_edges, skeleton.stars, context_);
+    if (crossing > 0) graph = mark_certain_edges(order_.points, skeleton.stars, context_);
+    counters_["edges_across_beta_skeleton"] = static_cast<double>(crossing);
   }
 
   LmtSkeleton skeleton_of(const HullEdges& hull_edges, CandidateBlocks blocks) {
     const ScopedPhase phase(context_, "lmt");
     LmtSkeleton skeleton = find_lmt_skeleton(order_, hull_edges, std::move(blocks), context_);
     counters_["lmt_checks"] = static_cast<double>(skeleton.counters.checks);
-    counters_["far_edges_deleted"] = static_cast<double>(delete_far_edges(order_.points, skeleton.stars));
     return skeleton;
   }
 
   CandidateGraph candidates_of(const LmtSkeleton& skeleton) {
     report_stage("certain edges", 0.8);
     const ScopedPhase phase(context_, "certain_edges");
-    CandidateGraph graph = mark_certain_edges(order_.points, skeleton.stars, context_);
+    return mark_certain_edges(order_.points, skeleton.stars, context_);
+  }
+
+  void count(const CandidateGraph& graph) {
     std::size_t certain = 0;
     for (const std::uint8_t mark : graph.certain) certain += mark;
     counters_["edges_after_lmt"] = static_cast<double>(graph.target.size() / 2);
     counters_["certain_edges"] = static_cast<double>(certain / 2);
     report_stage("faces", 0.9);
-    return graph;
   }
 
   std::vector<Index> find_hull(const std::vector<Index>& possible) const {
@@ -134,6 +139,7 @@ class ExactSolver {
     counters_["precise_comparisons"] = static_cast<double>(faces.precise_comparisons);
     counters_["undecided_ties"] = static_cast<double>(faces.undecided_ties);
     counters_["faces_with_holes"] = static_cast<double>(faces.faces_with_holes);
+    counters_["reductions"] = static_cast<double>(faces.reductions);
     counters_["linear_programs"] = static_cast<double>(faces.programs);
     counters_["branchings"] = static_cast<double>(faces.branchings);
     counters_["unsolved_faces"] = static_cast<double>(faces.unsolved_faces);
@@ -151,22 +157,23 @@ class ExactSolver {
     return solution;
   }
 
+  Solution convex_solution() {
+    order_ = {};
+    ConvexPolygonSolution polygon =
+        triangulate_convex_polygon(points_, convex_polygon_, PolygonObjective::edges, context_);
+    Solution solution;
+    solution.triangulation = {static_cast<Index>(points_.size()), std::move(polygon.triangles)};
+    solution.optimum = {polygon.weight_of_optimum.lower, weight(points_, solution.triangulation).upper};
+    solution.stop_reason = polygon.stop_reason;
+    return solution;
+  }
+
   Solution without_triangulation(StopReason reason, double lower_bound) {
     order_ = {};
     Solution solution;
     solution.optimum = {std::max(simple_lower_bound(points_), lower_bound), std::numeric_limits<double>::infinity()};
     solution.stop_reason = reason;
     return solution;
-  }
-
-  // Replaces what the stages found by the lightest triangulation that heuristics find, from it or otherwise.
-  void improve(Solution& solution) {
-    const ScopedPhase phase(context_, "heuristics");
-    const OtherDeadline last_moment(context_, deadline_of_heuristics(context_.deadline));
-    const bool has_own = !solution.triangulation.triangles.empty();
-    solution.triangulation = lightest_heuristic(
-        points_, context_, has_own ? std::optional(std::move(solution.triangulation)) : std::nullopt);
-    solution.optimum->upper = weight(points_, solution.triangulation).upper;
   }
 
   void report_stage(const char* stage, double done) const {
@@ -176,6 +183,7 @@ class ExactSolver {
   Points points_;
   Context& context_;
   KdOrder order_;
+  std::vector<Index> convex_polygon_;
   std::map<std::string, double> counters_;
 };
 
@@ -200,7 +208,7 @@ AlgorithmInfo exact_entry() {
   info.space = "about 400 bytes per point";
   info.exactness = Exactness::exact;
   info.max_n = 10'000'000;
-  info.version = 2;
+  info.version = 3;
   info.function = exact;
   return info;
 }

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "algorithms/common/testing/solver_testing.h"
-#include "algorithms/exact/candidates/convex_position.h"
 #include "algorithms/exact/testing/instruction_sets.h"
 #include "algorithms/exact/testing/stage_testing.h"
 
@@ -222,15 +221,17 @@ std::vector<NamedInstance> middle_sized_instances() {
   return instances;
 }
 
-// It used to return greedy's triangulation there and to speak of a time limit that nobody had set.
-TEST(Exact, ReturnsTheBestOfTheHeuristicsWhereASizeStopsIt) {
+// It used to return greedy's triangulation there and to report a time limit that nobody had set.
+TEST(Exact, ReturnsTheBestOfTheHeuristicsWhereMemoryStopsIt) {
   std::vector<Point> points;
-  for (std::size_t i = 0; i <= kMaxConvexPolygon; ++i) {
-    const auto x = static_cast<double>(i);
-    points.push_back({x, x * x});
-  }
-  const Solution solution = solve_and_check("exact", points);
-  EXPECT_EQ(solution.stop_reason, StopReason::size);
+  for (int i = 0; i <= 6000; ++i) points.push_back({static_cast<double>(i), static_cast<double>(i) * i});
+  const AlgorithmInfo& info = find_algorithm("exact");
+  Context context;
+  context.parameters = Parameters(info.name, info.parameters, {});
+  context.memory_bytes = 1 << 20;
+  const Solution solution = info.function(points, context);
+  EXPECT_FALSE(find_violation(points, solution.triangulation));
+  EXPECT_EQ(solution.stop_reason, StopReason::memory);
   ASSERT_TRUE(solution.optimum);
   EXPECT_GT(solution.optimum->lower, 0);
   EXPECT_LT(solution.optimum->lower, solution.optimum->upper);

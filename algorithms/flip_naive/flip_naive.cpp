@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "algorithms/greedy/greedy.h"
 #include "algorithms/greedy_naive/greedy_naive.h"
 #include "algorithms/sweep/sweep.h"
 #include "base/error.h"
@@ -137,7 +138,8 @@ Triangulation start_of(Points points, const Context& context) {
     throw InputError("flip_naive: parameter start=" + start +
                      " is neither delaunay, sweep or greedy nor a file of triangles");
   }
-  return greedy_naive(points);
+  std::optional<Triangulation> greedy = greedy_naive(points, context.deadline);
+  return greedy ? *std::move(greedy) : greedy_triangulation(points);
 }
 
 Triangulation timed_start_of(Points points, Context& context) {

@@ -117,7 +117,8 @@ void GreedyBuilder::start_queue() {
 void GreedyBuilder::empty_queue() {
   std::size_t next = 0;
   while (next < sorted_.size() || !queue_.empty()) {
-    if (++steps_ % 4096 == 0 && context_.deadline_passed()) {
+    // An ear that is inserted may take thousands of flips.
+    if (++steps_ % 64 == 0 && context_.deadline_passed()) {
       counters_.stopped_early = true;
       return;
     }

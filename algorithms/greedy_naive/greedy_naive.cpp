@@ -3,10 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/greedy/greedy.h"
 #include "geometry/convex_hull.h"
 #include "geometry/mesh/edge_order.h"
 #include "geometry/predicates.h"
@@ -17,14 +21,18 @@ namespace {
 
 constexpr Index kMaxN = 10'000;  // 50 million pairs: about a gigabyte
 
-std::vector<Edge> sorted_pairs(Points points) {
+std::uint64_t bytes_for_pairs(std::uint64_t n) { return n * (n - 1) / 2 * 24; }
+
+// Nothing if the deadline passes first.
+std::optional<std::vector<Edge>> sorted_pairs(Points points, const Deadline& deadline) {
   const auto n = static_cast<Index>(points.size());
   std::vector<Edge> pairs;
   pairs.reserve(points.size() * (points.size() - 1) / 2);
   for (Index a = 0; a < n; ++a) {
+    if (has_passed(deadline)) return {};
     for (Index b = a + 1; b < n; ++b) pairs.push_back({a, b});
   }
-  sort_by_length(points, pairs);
+  if (!sort_by_length(points, pairs, [&] { return has_passed(deadline); })) return {};
   return pairs;
 }
 
@@ -129,31 +137,48 @@ class TriangleAssembly {
   std::vector<Triangle> triangles_;
 };
 
+void require_moderate_size(Points points) {
+  if (points.size() <= kMaxN) return;
+  throw NotApplicable(
+      fmt::format("greedy_naive sorts all pairs of points and takes at most {} points; this instance has {}", kMaxN,
+                  points.size()));
+}
+
 Solution solve(Points points, Context& context) {
+  require_moderate_size(points);
   Solution solution;
   const ScopedPhase phase(context, "greedy");
-  solution.triangulation = greedy_naive(points);
+  std::optional<Triangulation> result;
+  if (context.fits(bytes_for_pairs(points.size()))) {
+    result = greedy_naive(points, deadline_before_heuristics(context.deadline, points.size()));
+    if (!result) solution.stop_reason = StopReason::deadline;
+  } else {
+    solution.stop_reason = StopReason::memory;
+  }
+  solution.triangulation = result ? *std::move(result) : greedy_triangulation(points);
   return solution;
 }
 
 }  // namespace
 
-Triangulation greedy_naive(Points points) {
-  if (points.size() > kMaxN) {
-    throw NotApplicable(
-        fmt::format("greedy_naive sorts all pairs of points and takes at most {} points; this instance has {}", kMaxN,
-                    points.size()));
-  }
+Triangulation greedy_naive(Points points) { return *greedy_naive(points, Deadline{}); }
+
+std::optional<Triangulation> greedy_naive(Points points, const Deadline& deadline) {
+  require_moderate_size(points);
   const std::size_t wanted = 2 * points.size() - convex_hull(points).size() - 2;
   KeptEdges kept(points);
   TriangleAssembly assembly(points);
-  for (const Edge& pair : sorted_pairs(points)) {
+  const std::optional<std::vector<Edge>> pairs = sorted_pairs(points, deadline);
+  if (!pairs) return {};
+  constexpr std::size_t kPairsBetweenChecks = 64;
+  for (std::size_t i = 0; assembly.count() < wanted; ++i) {
+    if (i % kPairsBetweenChecks == 0 && has_passed(deadline)) return {};
+    const Edge& pair = (*pairs)[i];
     if (kept.cross(pair)) continue;
     kept.add(pair);
     assembly.add(pair);
-    if (assembly.count() == wanted) break;
   }
-  return {static_cast<Index>(points.size()), assembly.take()};
+  return Triangulation{static_cast<Index>(points.size()), assembly.take()};
 }
 
 AlgorithmInfo greedy_naive_entry() {

@@ -2,6 +2,8 @@
 // in.
 #pragma once
 
+#include <optional>
+
 #include "algorithms/algorithm.h"
 
 namespace mwt {
@@ -23,7 +25,10 @@ namespace mwt {
 /// O(n^4) counts n^2 of them); a box test in front settles most.
 [[nodiscard]] Triangulation greedy_naive(Points points);
 
-/// Registry entry. Ignores the deadline: an unfinished greedy is no triangulation.
+/// The same; nothing if the deadline passes first, for an unfinished greedy is no triangulation.
+[[nodiscard]] std::optional<Triangulation> greedy_naive(Points points, const Deadline& deadline);
+
+/// Registry entry. Where the deadline or memory stop it, the triangulation is that of `greedy`, which is the same.
 [[nodiscard]] AlgorithmInfo greedy_naive_entry();
 
 }  // namespace mwt

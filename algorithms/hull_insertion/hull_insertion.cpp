@@ -1,15 +1,12 @@
 #include "algorithms/hull_insertion/hull_insertion.h"
 
-#include <fmt/core.h>
-
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
 
-#include <string>
 #include <utility>
 
 #include "algorithms/hull_insertion/split_distribution.h"
-#include "algorithms/polygon_dp/polygon_dp.h"
+#include "algorithms/polygon_dp/convex_polygon.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/scaling.h"
 #include "geometry/weight.h"
@@ -17,16 +14,6 @@
 namespace mwt {
 
 namespace {
-
-std::vector<Index> hull_within_limit(Points points) {
-  std::vector<Index> hull = convex_hull(points);
-  if (hull.size() > kMaxPolygon) {
-    throw NotApplicable(fmt::format(
-        "hull_insertion triangulates the hull in O(h^3) time and takes at most {} points on it; this instance has {}",
-        kMaxPolygon, hull.size()));
-  }
-  return hull;
-}
 
 void shuffle(std::vector<Index>& sequence, std::uint64_t seed) {
   boost::random::mt19937_64 engine(seed);
@@ -69,6 +56,7 @@ Solution solve(Points points, Context& context) {
                        {"points_on_edges", static_cast<double>(result.points_on_edges)},
                        {"depth", static_cast<double>(result.depth)}};
   solution.triangulation = std::move(result.triangulation);
+  solution.stop_reason = result.stop_reason;
   return solution;
 }
 
@@ -80,12 +68,12 @@ HullInsertion hull_insertion(Points points, InsertionOrder order, std::uint64_t 
     result.hull_weight = scaled_up(result.hull_weight, e);
     return result;
   }
-  const std::vector<Index> hull = hull_within_limit(points);
-  std::vector<Triangle> hull_triangles;
-  {
+  const std::vector<Index> hull = convex_hull(points);
+  const ConvexPolygonSolution of_hull = [&] {
     const ScopedPhase phase(context, "hull_dp");
-    hull_triangles = triangulate_polygon(points, hull, PolygonObjective::perimeter).triangles;
-  }
+    return triangulate_convex_polygon(points, hull, PolygonObjective::perimeter, context);
+  }();
+  const std::vector<Triangle>& hull_triangles = of_hull.triangles;
   const Interval hull_weight = weight(points, {static_cast<Index>(points.size()), hull_triangles});
   const ScopedPhase phase(context, "insertion");
   SplitTriangles result =
@@ -94,7 +82,8 @@ HullInsertion hull_insertion(Points points, InsertionOrder order, std::uint64_t 
           static_cast<Index>(hull.size()),
           hull_weight,
           result.edge_splits / 2,
-          result.depth};
+          result.depth,
+          of_hull.stop_reason};
 }
 
 AlgorithmInfo hull_insertion_entry() {
@@ -106,7 +95,7 @@ AlgorithmInfo hull_insertion_entry() {
   info.time = "O(h^3 + n log^2 n)";
   info.space = "O(h^2 + n)";
   info.max_n = 1'000'000;
-  info.version = 2;
+  info.version = 3;
   info.parameters = {{"order",
                       ParameterType::choice,
                       "index",

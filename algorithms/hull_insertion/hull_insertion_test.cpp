@@ -6,7 +6,7 @@
 #include "algorithms/common/testing/instances.h"
 #include "algorithms/hull_insertion/split_distribution.h"
 #include "algorithms/hull_insertion/split_history.h"
-#include "algorithms/polygon_dp/polygon_dp.h"
+#include "algorithms/polygon_dp/convex_polygon.h"
 #include "generators/hull_bound_counterexample/hull_bound_counterexample.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
@@ -200,10 +200,24 @@ TEST(HullInsertion, TheSeedDecidesTheRandomOrderOnly) {
   EXPECT_EQ(triangles_with("index", 5), triangles_with("index", 6));
 }
 
-TEST(HullInsertion, RefusesLargeHulls) {
-  const std::vector<Point> points = test::parabola_points(kMaxPolygon + 1);
+TEST(HullInsertion, TakesLargeHulls) {
+  const std::vector<Point> points = test::parabola_points(kSmallPolygon + 100);
   Context context = test::context_for(hull_insertion_entry());
-  EXPECT_THROW(hull_insertion_entry().function(points, context), NotApplicable);
+  const HullInsertion result = hull_insertion(points, InsertionOrder::index, 1, context);
+  EXPECT_FALSE(find_violation(points, result.triangulation));
+  EXPECT_FALSE(result.stop_reason);
+  const PolygonTriangulation literal = triangulate_polygon(points, convex_hull(points), PolygonObjective::edges);
+  EXPECT_LE(result.hull_weight.lower, literal.cost.upper * (1 + 1e-12));
+}
+
+TEST(HullInsertion, SaysThatTheHullIsNotOptimalForWantOfTime) {
+  std::vector<Point> points = test::parabola_points(3000);
+  points.push_back({0.5, 1});
+  Context context = test::context_for(hull_insertion_entry());
+  context.deadline = Context::Clock::now();
+  const Solution solution = hull_insertion_entry().function(points, context);
+  EXPECT_FALSE(find_violation(points, solution.triangulation));
+  EXPECT_EQ(solution.stop_reason, StopReason::deadline);
 }
 
 }  // namespace

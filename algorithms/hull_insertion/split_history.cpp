@@ -43,18 +43,32 @@ void SplitHistory::reserve(std::size_t count) {
   paths_.reserve(count);
 }
 
-// Adds what lies below `region`, the part of the polygon between `chain` and its chord.
+// Adds what lies below `region`, the part of the polygon between `chain` and its chord. Without recursion, for parts
+// may be nested as deep as the polygon has vertices.
 void SplitHistory::add_parts(Index region, std::span<const Index> chain, std::span<const Triangle> triangles) {
-  const Triangle& triangle = triangles.front();
-  const auto middle = static_cast<std::size_t>(std::find(chain.begin(), chain.end(), triangle[1]) - chain.begin());
-  const auto first = chain.first(middle + 1), last = chain.subspan(middle);
-  const std::size_t first_count = first.size() - 2;  // triangles of a chain: its vertices less 2
-  add_child(region, triangle);
-  const auto part = static_cast<Index>(regions_.size());
-  if (first.size() > 2) add_child(region, {first.front(), first.back(), kNoIndex});
-  if (last.size() > 2) add_child(region, {last.front(), last.back(), kNoIndex});
-  if (first.size() > 2) add_parts(part, first, triangles.subspan(1, first_count));
-  if (last.size() > 2) add_parts(first.size() > 2 ? part + 1 : part, last, triangles.subspan(1 + first_count));
+  struct Part {
+    Index region;
+    std::span<const Index> chain;
+    std::span<const Triangle> triangles;
+  };
+  std::vector<Part> open = {{region, chain, triangles}};
+  while (!open.empty()) {
+    const Part part = open.back();
+    open.pop_back();
+    const Triangle& triangle = part.triangles.front();
+    const auto apex = std::find(part.chain.begin(), part.chain.end(), triangle[1]);
+    const auto middle = static_cast<std::size_t>(apex - part.chain.begin());
+    const auto first = part.chain.first(middle + 1), last = part.chain.subspan(middle);
+    const std::size_t first_count = first.size() - 2;  // triangles of a chain: its vertices less 2
+    add_child(part.region, triangle);
+    const auto child = static_cast<Index>(regions_.size());
+    if (first.size() > 2) add_child(part.region, {first.front(), first.back(), kNoIndex});
+    if (last.size() > 2) add_child(part.region, {last.front(), last.back(), kNoIndex});
+    if (last.size() > 2) {
+      open.push_back({first.size() > 2 ? child + 1 : child, last, part.triangles.subspan(1 + first_count)});
+    }
+    if (first.size() > 2) open.push_back({child, first, part.triangles.subspan(1, first_count)});
+  }
 }
 
 void SplitHistory::add_child(Index parent, const Triangle& corners) {

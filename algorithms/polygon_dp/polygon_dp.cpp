@@ -6,7 +6,10 @@
 #include <string>
 #include <utility>
 
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
+#include "algorithms/polygon_dp/convex_polygon.h"
 #include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
@@ -163,10 +166,6 @@ std::vector<Triangle> preorder_triangles(const IntervalTable& table, std::span<c
 }
 
 void require_convex_position(Points points, const std::vector<Index>& hull) {
-  if (hull.size() > kMaxPolygon) {
-    throw NotApplicable("polygon_dp takes O(n^3) time and at most " + std::to_string(kMaxPolygon) +
-                        " points; this instance has " + std::to_string(points.size()));
-  }
   if (hull.size() == points.size()) return;
   std::vector<bool> on_hull(points.size(), false);
   for (const Index p : hull) on_hull[p] = true;
@@ -179,11 +178,16 @@ Solution solve(Points points, Context& context) {
   const std::vector<Index> hull = convex_hull(points);
   require_convex_position(points, hull);
   const bool by_edges = context.parameters.text("objective") == "edges";
-  PolygonTriangulation result =
-      triangulate_polygon(points, hull, by_edges ? PolygonObjective::edges : PolygonObjective::perimeter);
   Solution solution;
-  solution.triangulation = {static_cast<Index>(points.size()), std::move(result.triangles)};
-  if (by_edges) solution.optimum = {result.cost.lower, weight(points, solution.triangulation).upper};
+  {
+    const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
+    ConvexPolygonSolution result = triangulate_convex_polygon(
+        points, hull, by_edges ? PolygonObjective::edges : PolygonObjective::perimeter, context);
+    solution.triangulation = {static_cast<Index>(points.size()), std::move(result.triangles)};
+    solution.stop_reason = result.stop_reason;
+    if (by_edges) solution.optimum = {result.weight_of_optimum.lower, weight(points, solution.triangulation).upper};
+  }
+  if (solution.stop_reason) improve_by_heuristics(points, context, solution);
   return solution;
 }
 
@@ -208,12 +212,12 @@ AlgorithmInfo polygon_dp_entry() {
   info.name = "polygon_dp";
   info.summary = "interval dynamic program; points in convex position only";
   info.source = "source report, section 5.2 step 3; Gilbert 1979, Klincsek 1980";
-  info.guarantee = "optimal";
+  info.guarantee = "optimal; with too little time or memory a certified interval";
   info.time = "O(n^3)";
   info.space = "O(n^2)";
   info.exactness = Exactness::exact;
-  info.max_n = kMaxPolygon;
-  info.version = 2;
+  info.max_n = 20'000;
+  info.version = 3;
   info.convex_position_only = true;
   info.parameters = {{"objective",
                       ParameterType::choice,

@@ -41,11 +41,10 @@ struct PolygonTriangulation {
 [[nodiscard]] PolygonTriangulation triangulate_polygon(Points points, std::span<const Index> polygon,
                                                        PolygonObjective objective);
 
-/// Most vertices that the algorithms built on it accept: 10 to 30 seconds and 400 MB.
-inline constexpr Index kMaxPolygon = 5000;
-
-/// Registry entry: the points themselves as polygon. NotApplicable unless all of them lie on the hull's boundary.
-/// Exact: with objective=edges the solution carries the optimum. Ignores the deadline.
+/// Registry entry: the points themselves as polygon, by triangulate_convex_polygon() (convex_polygon.h) at any size.
+/// NotApplicable unless all of them lie on the hull's boundary. Exact: with objective=edges the solution carries the
+/// optimum. Where the deadline or memory stops it, the triangulation is the lightest that heuristics find as well
+/// (common/lightest_heuristic.h).
 [[nodiscard]] AlgorithmInfo polygon_dp_entry();
 
 }  // namespace mwt

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <string>
 
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
 #include "base/error.h"
 #include "geometry/convex_hull.h"
-#include "geometry/delaunay.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
 
@@ -112,17 +114,20 @@ class PathProgram {
     next_.counts[0] = 1;
   }
 
-  /// False if the deadline passed first.
-  bool run(const Context& context) {
-    constexpr std::size_t kPathsBetweenChecks = 4096;
+  /// What stopped it first, if anything did.
+  std::optional<StopReason> run(const Context& context) {
+    constexpr std::size_t kPathsBetweenChecks = 1024;
     while (place_of(geometry_.upper_hull()) == kUnseen) {
       const Layer layer = std::exchange(next_, Layer{records_.size(), {}, {}});
       for (std::size_t i = 0; i < layer.first_count.size(); ++i) {
-        if (i % kPathsBetweenChecks == 0 && context.deadline_passed()) return false;
+        if (i % kPathsBetweenChecks == 0) {
+          if (context.deadline_passed()) return StopReason::deadline;
+          if (!context.fits(bytes_soon(layer))) return StopReason::memory;
+        }
         advance(records_[layer.first_record + i].path, &layer.counts[layer.first_count[i]]);
       }
     }
-    return true;
+    return {};
   }
 
   /// After run(): the upper hull is the only path of the last layer.
@@ -157,7 +162,17 @@ class PathProgram {
     std::size_t first_record = 0;
     std::vector<std::size_t> first_count;
     std::vector<Count> counts;
+
+    [[nodiscard]] std::uint64_t bytes() const {
+      return first_count.capacity() * sizeof(std::size_t) + counts.capacity() * sizeof(Count);
+    }
   };
+
+  // Of all tables, when those that grow have doubled once more.
+  [[nodiscard]] std::uint64_t bytes_soon(const Layer& layer) const {
+    return place_.size() * sizeof(place_[0]) + layer.bytes() +
+           2 * (records_.capacity() * sizeof(Record) + next_.bytes());
+  }
 
   static std::vector<std::pair<Index, Index>> edges_of_path(Path path) {
     std::vector<std::pair<Index, Index>> edges;
@@ -236,10 +251,14 @@ Solution solve(Points points, Context& context) {
                                     points.size(), limit, kSubsetDpMaxN));
   }
   Solution solution;
-  std::optional<SubsetDpResult> result = count_and_optimise(points, context);
+  std::optional<SubsetDpResult> result;
+  {
+    const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
+    result = count_and_optimise(points, context, solution.stop_reason);
+  }
   if (!result) {
-    solution.triangulation = delaunay_triangulation(points);
-    solution.stop_reason = StopReason::deadline;
+    solution.optimum = {cycle_length(points, convex_hull(points)).lower, std::numeric_limits<double>::infinity()};
+    improve_by_heuristics(points, context, solution);
     return solution;
   }
   solution.triangulation = std::move(result->lightest);
@@ -253,10 +272,12 @@ Solution solve_at_any_size(Points points, Context& context) { return solve_scale
 
 }  // namespace
 
-std::optional<SubsetDpResult> count_and_optimise(Points points, const Context& context) {
+std::optional<SubsetDpResult> count_and_optimise(Points points, const Context& context,
+                                                 std::optional<StopReason>& stop_reason) {
   const SweepGeometry geometry(points);
   PathProgram program(geometry);
-  if (!program.run(context)) return {};
+  stop_reason = program.run(context);
+  if (stop_reason) return {};
   SubsetDpResult result;
   result.lightest = program.lightest();
   const double terms = 3 * static_cast<double>(points.size());

@@ -35,8 +35,9 @@ struct SubsetDpResult {
 /// Preconditions: 3 to kSubsetDpMaxN distinct points, not all collinear.
 /// Ties: the first lightest way found. Exact decisions; weights in double-double. Deterministic.
 /// O(n^2 2^n) time. 28 bytes per path visited (at most 2^(n - 2)) and 16 bytes per state of two neighbouring layers.
-/// Nothing if the deadline passes before the end.
-[[nodiscard]] std::optional<SubsetDpResult> count_and_optimise(Points points, const Context& context);
+/// Nothing if the deadline or the memory of the context does not suffice; then stop_reason says which.
+[[nodiscard]] std::optional<SubsetDpResult> count_and_optimise(Points points, const Context& context,
+                                                               std::optional<StopReason>& stop_reason);
 
 [[nodiscard]] AlgorithmInfo subset_dp_entry();
 

@@ -8,7 +8,10 @@
 namespace mwt {
 namespace {
 
-SubsetDpResult solve(Points points) { return count_and_optimise(points, Context()).value(); }
+SubsetDpResult solve(Points points) {
+  std::optional<StopReason> stop_reason;
+  return count_and_optimise(points, Context(), stop_reason).value();
+}
 
 std::vector<Point> grid(int width, int height) {
   std::vector<Point> points;
@@ -59,7 +62,9 @@ TEST(SubsetDp, TreatsVerticalLinesLikeOthers) {
 TEST(SubsetDp, GivesUpWhenItIsLate) {
   Context late;
   late.deadline = Context::Clock::now();
-  EXPECT_FALSE(count_and_optimise(grid(4, 4), late));
+  std::optional<StopReason> stop_reason;
+  EXPECT_FALSE(count_and_optimise(grid(4, 4), late, stop_reason));
+  EXPECT_EQ(stop_reason, StopReason::deadline);
 }
 
 TEST(SubsetDpSlow, CountsTwentyTwoPoints) {

@@ -1,6 +1,8 @@
 #include "algorithms/triangle_lp/empty_triangles.h"
 
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "geometry/predicates.h"
 
@@ -11,8 +13,9 @@ namespace {
 // For every directed line through two points, the set of other points on it or to its left, as bits.
 class LeftSets {
  public:
-  explicit LeftSets(Points points) : n_(points.size()), words_((n_ + 63) / 64), bits_(n_ * n_ * words_, 0) {
-    for (std::size_t a = 0; a < n_; ++a) {
+  LeftSets(Points points, const Deadline& deadline)
+      : n_(points.size()), words_((n_ + 63) / 64), bits_(n_ * n_ * words_, 0) {
+    for (std::size_t a = 0; a < n_ && !has_passed(deadline); ++a) {
       for (std::size_t b = a + 1; b < n_; ++b) {
         for (std::size_t c = b + 1; c < n_; ++c) insert_triple(a, b, c, orientation(points[a], points[b], points[c]));
       }
@@ -60,18 +63,23 @@ class LeftSets {
 }  // namespace
 
 std::vector<Triangle> empty_triangles(Points points) {
-  const LeftSets left(points);
+  return *empty_triangles(points, std::numeric_limits<std::size_t>::max(), {});
+}
+
+std::optional<std::vector<Triangle>> empty_triangles(Points points, std::size_t most, const Deadline& deadline) {
+  const LeftSets left(points, deadline);
   std::vector<Triangle> triangles;
   const Index n = static_cast<Index>(points.size());
   for (Index a = 0; a < n; ++a) {
     for (Index b = a + 1; b < n; ++b) {
+      if (triangles.size() > most || has_passed(deadline)) return {};
       for (Index c = a + 1; c < n; ++c) {
         const bool turns_left = c != b && left.is_left_or_on(a, b, c) && !left.is_left_or_on(b, a, c);
         if (turns_left && left.is_empty(a, b, c)) triangles.push_back({a, b, c});
       }
     }
   }
-  return triangles;
+  return triangles.size() > most ? std::nullopt : std::optional(std::move(triangles));
 }
 
 }  // namespace mwt

@@ -2,14 +2,19 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/triangle_lp/empty_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
+#include "geometry/weight.h"
 
 namespace mwt {
 
@@ -22,6 +27,41 @@ std::vector<Edge> hull_boundary(Points points) {
   return boundary;
 }
 
+// For triangles, columns and what is kept by side of them.
+constexpr std::uint64_t kBytesPerTriangle = 128;
+
+std::optional<std::vector<Triangle>> find_empty_triangles(Points points, Context& context) {
+  const ScopedPhase phase(context, "empty_triangles");
+  const std::uint64_t bytes_for_sets = points.size() * points.size() * (points.size() / 64 + 1) * 8;
+  if (!context.fits(bytes_for_sets)) return {};
+  const std::size_t most = context.memory_bytes ? (*context.memory_bytes - bytes_for_sets) / kBytesPerTriangle
+                                                : std::numeric_limits<std::size_t>::max();
+  return empty_triangles(points, most, context.deadline);
+}
+
+Solution cover_hull(Points points, Context& context) {
+  const std::vector<Edge> boundary = hull_boundary(points);
+  const Triangulation start{static_cast<Index>(points.size()), canonical_triangles(delaunay_triangulation(points))};
+  Solution solution;
+  const std::optional<std::vector<Triangle>> triangles = find_empty_triangles(points, context);
+  if (!triangles) {
+    solution.triangulation = start;
+    solution.optimum = {cycle_length(points, convex_hull(points)).lower, weight(points, start).upper};
+    solution.stop_reason = context.deadline_passed() ? StopReason::deadline : StopReason::memory;
+    return solution;
+  }
+  const ScopedPhase phase(context, "program");
+  TriangleCover cover = lightest_triangle_cover(
+      {points, *triangles, boundary, start.triangles.size(), context.deadline, start.triangles});
+  solution.triangulation = {start.point_count, std::move(cover.triangles)};
+  solution.optimum = cover.optimum;
+  solution.stop_reason = cover.stop_reason;
+  solution.counters = {{"empty_triangles", static_cast<double>(triangles->size())},
+                       {"programs", static_cast<double>(cover.programs)},
+                       {"branchings", static_cast<double>(cover.branchings)}};
+  return solution;
+}
+
 }  // namespace
 
 Solution solve_triangle_program(Points points, Context& context) {
@@ -30,23 +70,11 @@ Solution solve_triangle_program(Points points, Context& context) {
     throw NotApplicable(
         fmt::format("triangle_lp: {} points; it takes at most {} (parameter max_points)", points.size(), limit));
   }
-  std::vector<Triangle> triangles;
-  {
-    const ScopedPhase phase(context, "empty_triangles");
-    triangles = empty_triangles(points);
-  }
-  const ScopedPhase phase(context, "program");
-  const std::vector<Edge> boundary = hull_boundary(points);
-  const Triangulation start{static_cast<Index>(points.size()), canonical_triangles(delaunay_triangulation(points))};
-  TriangleCover cover =
-      lightest_triangle_cover({points, triangles, boundary, start.triangles.size(), context.deadline, start.triangles});
-  Solution solution;
-  solution.triangulation = {start.point_count, std::move(cover.triangles)};
-  solution.optimum = cover.optimum;
-  solution.stop_reason = cover.stop_reason;
-  solution.counters = {{"empty_triangles", static_cast<double>(triangles.size())},
-                       {"programs", static_cast<double>(cover.programs)},
-                       {"branchings", static_cast<double>(cover.branchings)}};
+  Solution solution = [&] {
+    const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
+    return cover_hull(points, context);
+  }();
+  if (solution.stop_reason) improve_by_heuristics(points, context, solution);
   return solution;
 }
 

@@ -44,7 +44,7 @@ std::size_t min_with(std::size_t first, std::size_t last, const Predicate& holds
 
 class ChainPairSearch {
  public:
-  explicit ChainPairSearch(Points points) : points_(points) {}
+  ChainPairSearch(Points points, const Deadline& deadline) : points_(points), deadline_(deadline) {}
 
   std::optional<ChainPair> run() const {
     const std::vector<Index> hull = convex_hull(points_);
@@ -69,7 +69,7 @@ class ChainPairSearch {
         min_with(2, all.size() - 1, [&](std::size_t size) { return is_in_convex_position(points_, first_of(size)); });
     const std::size_t beyond =
         min_with(2, all.size() - 1, [&](std::size_t size) { return !is_in_convex_position(points_, all.first(size)); });
-    for (std::size_t size = smallest; size < beyond; ++size) {
+    for (std::size_t size = smallest; size < beyond && !has_passed(deadline_); ++size) {
       ChainPair pair{chain_from(start, first_of(size)), chain_from(other_start, all.first(size))};
       const bool has_ends = pair.first.front() == start && pair.first.back() == other_end &&
                             pair.second.front() == other_start && pair.second.back() == end;
@@ -106,9 +106,10 @@ class ChainPairSearch {
     return chain;
   }
 
-  // Property (3) for the edges of `chain`.
+  // Property (3) for the edges of `chain`; false as well if the deadline passes first.
   [[nodiscard]] bool faces(const std::vector<Index>& chain, const std::vector<Index>& others) const {
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      if (has_passed(deadline_)) return false;
       const Point &a = points_[chain[i]], &b = points_[chain[i + 1]];
       for (const Index other : others) {
         if (orientation(a, b, points_[other]) >= 0) return false;
@@ -118,10 +119,13 @@ class ChainPairSearch {
   }
 
   Points points_;
+  Deadline deadline_;
 };
 
 }  // namespace
 
-std::optional<ChainPair> find_chain_pair(Points points) { return ChainPairSearch(points).run(); }
+std::optional<ChainPair> find_chain_pair(Points points, const Deadline& deadline) {
+  return ChainPairSearch(points, deadline).run();
+}
 
 }  // namespace mwt

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "geometry/point.h"
 
 namespace mwt {
@@ -27,7 +28,7 @@ struct ChainPair {
 /// The pair for some partition of the points; nothing if no partition is one, or if all points lie on their hull's
 /// boundary, where polygon programs serve better. Preconditions: distinct points, not all collinear.
 /// O(n log^2 n + candidates * |first| |second|), where nearly always at most one candidate is examined in full.
-/// Deterministic.
-[[nodiscard]] std::optional<ChainPair> find_chain_pair(Points points);
+/// Deterministic. Nothing either if the deadline passes during that examination.
+[[nodiscard]] std::optional<ChainPair> find_chain_pair(Points points, const Deadline& deadline = {});
 
 }  // namespace mwt

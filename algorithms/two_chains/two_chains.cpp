@@ -1,14 +1,13 @@
 #include "algorithms/two_chains/two_chains.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <string>
+#include <limits>
 #include <utility>
 
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
-#include "algorithms/greedy/greedy.h"
-#include "algorithms/polygon_dp/polygon_dp.h"
+#include "algorithms/polygon_dp/convex_polygon.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
 #include "geometry/weight.h"
@@ -37,10 +36,11 @@ class Steps {
   std::vector<bool> along_first_;
 };
 
-// Fills in `steps`; returns the length of the best path to the last place.
-DoubleDouble shortest_path(Points points, const Chains& chains, Steps& steps) {
+// Fills in `steps`; returns the length of the best path to the last place, unless the deadline passes first.
+std::optional<DoubleDouble> shortest_path(Points points, const Chains& chains, Steps& steps, const Deadline& deadline) {
   std::vector<DoubleDouble> best(chains.q.size());  // of row i, overwriting row i - 1 from left to right
   for (std::size_t i = 0; i < chains.p.size(); ++i) {
+    if (has_passed(deadline)) return {};
     for (std::size_t j = 0; j < chains.q.size(); ++j) {
       const DoubleDouble edge = length(points[chains.p[i]], points[chains.q[j]]);
       const bool along_first = i > 0 && (j == 0 || !(best[j - 1] < best[j]));
@@ -67,62 +67,92 @@ std::vector<Triangle> triangles_along(const Chains& chains, const Steps& steps) 
   return triangles;
 }
 
-// Bounds on the weight of a polygon's best triangulation, and a triangulation.
-PolygonTriangulation bounded_greedily(Points points, const std::vector<Index>& cycle) {
-  std::vector<Point> own;
-  own.reserve(cycle.size());
-  for (const Index i : cycle) own.push_back(points[i]);
-  Triangulation greedy = greedy_triangulation(own);
-  const Interval bounds = {cycle_length(points, cycle).lower, weight(own, greedy).upper};
-  for (Triangle& triangle : greedy.triangles) {
-    for (Index& corner : triangle) corner = cycle[corner];
-  }
-  return {std::move(greedy.triangles), bounds};
-}
-
-PolygonTriangulation triangulated(Points points, const std::vector<Index>& cycle) {
+// A chain with the edge from its end to its start: a convex polygon, or a line.
+ConvexPolygonSolution triangulated(Points points, const std::vector<Index>& cycle, Context& context) {
   std::vector<Point> own;
   for (const Index i : cycle) own.push_back(points[i]);
-  if (all_collinear(own)) {
-    LengthSum along_the_line;
-    for (std::size_t i = 1; i < own.size(); ++i) along_the_line.add(own[i - 1], own[i]);
-    return {{}, along_the_line.enclosure()};
-  }
-  if (cycle.size() > kMaxPolygon) return bounded_greedily(points, cycle);
-  return triangulate_polygon(points, cycle, PolygonObjective::edges);
+  if (!all_collinear(own)) return triangulate_convex_polygon(points, cycle, PolygonObjective::edges, context);
+  LengthSum along_the_line;
+  for (std::size_t i = 1; i < own.size(); ++i) along_the_line.add(own[i - 1], own[i]);
+  return {{}, along_the_line.enclosure(), {}};
 }
 
-ChainPair require_pair(Points points) {
-  std::optional<ChainPair> pair = find_chain_pair(points);
-  if (!pair) throw NotApplicable("two_chains takes two reflex chains that face each other, with 4 points on the hull");
-  if (std::uint64_t{pair->first.size()} * pair->second.size() > kMaxCorridorEdges) {
-    throw NotApplicable(fmt::format("two_chains takes chains with at most {} edges between them", kMaxCorridorEdges));
-  }
-  return *std::move(pair);
+std::uint64_t bytes_for_corridor(const ChainPair& pair) {
+  return std::uint64_t{pair.first.size()} * pair.second.size() / 8 + sizeof(DoubleDouble) * pair.second.size();
 }
+
+// What the programs find until the deadline: at least bounds.
+class TwoChainsSolver {
+ public:
+  TwoChainsSolver(Points points, Context& context) : points_(points), context_(context) {}
+
+  Solution run() {
+    const std::optional<ChainPair> pair = recognise();
+    if (!pair) return stopped(StopReason::deadline, cycle_length(points_, convex_hull(points_)).lower);
+    solution_.counters = {{"first_chain", static_cast<double>(pair->first.size())},
+                          {"second_chain", static_cast<double>(pair->second.size())}};
+    if (!context_.fits(bytes_for_corridor(*pair))) return stopped(StopReason::memory, certain_length(*pair));
+    std::optional<Corridor> corridor = cross(*pair);
+    if (!corridor) return stopped(StopReason::deadline, certain_length(*pair));
+    solution_.triangulation = {static_cast<Index>(points_.size()), std::move(corridor->triangles)};
+    solution_.optimum = corridor->cross_edges;
+    const ScopedPhase phase(context_, "polygons");
+    for (const std::vector<Index>* chain : {&pair->first, &pair->second}) add(triangulated(points_, *chain, context_));
+    solution_.optimum->upper = weight(points_, solution_.triangulation).upper;
+    return std::move(solution_);
+  }
+
+ private:
+  // Nothing if the deadline passes first.
+  std::optional<ChainPair> recognise() {
+    const ScopedPhase phase(context_, "recognition");
+    std::optional<ChainPair> pair = find_chain_pair(points_, context_.deadline);
+    if (!pair && !context_.deadline_passed())
+      throw NotApplicable("two_chains takes two reflex chains that face each other, with 4 points on the hull");
+    return pair;
+  }
+
+  std::optional<Corridor> cross(const ChainPair& pair) {
+    const ScopedPhase phase(context_, "corridor");
+    return triangulate_corridor(points_, pair, context_.deadline);
+  }
+
+  void add(const ConvexPolygonSolution& part) {
+    solution_.optimum = *solution_.optimum + part.weight_of_optimum;
+    solution_.stop_reason = combined(solution_.stop_reason, part.stop_reason);
+    std::vector<Triangle>& all = solution_.triangulation.triangles;
+    all.insert(all.end(), part.triangles.begin(), part.triangles.end());
+  }
+
+  // The chains, the edges that close their polygons, and the bridges are in every triangulation.
+  [[nodiscard]] double certain_length(const ChainPair& pair) const {
+    LengthSum bridges;
+    bridges.add(points_[pair.first.front()], points_[pair.second.back()]);
+    bridges.add(points_[pair.second.front()], points_[pair.first.back()]);
+    LengthSum chains;
+    for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
+      for (std::size_t i = 1; i < chain->size(); ++i) chains.add(points_[(*chain)[i - 1]], points_[(*chain)[i]]);
+    }
+    return (chains.enclosure() + bridges.enclosure()).lower;
+  }
+
+  Solution stopped(StopReason reason, double lower_bound) {
+    solution_.stop_reason = reason;
+    solution_.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
+    return std::move(solution_);
+  }
+
+  Points points_;
+  Context& context_;
+  Solution solution_;
+};
 
 Solution solve(Points points, Context& context) {
-  const ChainPair pair = [&] {
-    const ScopedPhase phase(context, "recognition");
-    return require_pair(points);
+  Solution solution = [&] {
+    const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
+    return TwoChainsSolver(points, context).run();
   }();
-  Corridor corridor = [&] {
-    const ScopedPhase phase(context, "corridor");
-    return triangulate_corridor(points, pair);
-  }();
-  const ScopedPhase phase(context, "polygons");
-  Solution solution;
-  solution.triangulation = {static_cast<Index>(points.size()), std::move(corridor.triangles)};
-  Interval optimum = corridor.cross_edges;
-  for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
-    const PolygonTriangulation part = triangulated(points, *chain);
-    optimum = optimum + part.cost;
-    solution.triangulation.triangles.insert(solution.triangulation.triangles.end(), part.triangles.begin(),
-                                            part.triangles.end());
-  }
-  solution.optimum = {optimum.lower, weight(points, solution.triangulation).upper};
-  solution.counters = {{"first_chain", static_cast<double>(pair.first.size())},
-                       {"second_chain", static_cast<double>(pair.second.size())}};
+  if (solution.stop_reason) improve_by_heuristics(points, context, solution);
   return solution;
 }
 
@@ -130,13 +160,14 @@ Solution solve_at_any_size(Points points, Context& context) { return solve_scale
 
 }  // namespace
 
-Corridor triangulate_corridor(Points points, const ChainPair& pair) {
+std::optional<Corridor> triangulate_corridor(Points points, const ChainPair& pair, const Deadline& deadline) {
   const Chains chains = chains_of(pair);
   Steps steps(chains.p.size(), chains.q.size());
-  const DoubleDouble path = shortest_path(points, chains, steps);
+  const std::optional<DoubleDouble> path = shortest_path(points, chains, steps, deadline);
+  if (!path) return {};
   // A length errs by 8 units and passes through at most r + s additions, of one unit each.
   const double relative_error = (static_cast<double>(chains.p.size() + chains.q.size()) + 8) * kDoubleDoubleError;
-  return {triangles_along(chains, steps), enclose(path, relative_error)};
+  return Corridor{triangles_along(chains, steps), enclose(*path, relative_error)};
 }
 
 AlgorithmInfo two_chains_entry() {
@@ -144,10 +175,11 @@ AlgorithmInfo two_chains_entry() {
   info.name = "two_chains";
   info.summary = "dynamic programs for two facing reflex chains (corridors)";
   info.source = "lattice-path and interval dynamic programs; Klincsek 1980 for the latter";
-  info.guarantee = "optimal";
+  info.guarantee = "optimal; with too little time or memory a certified interval";
   info.time = "O(r^3 + s^3) for chains of r and s points";
   info.space = "O(r^2 + s^2)";
   info.exactness = Exactness::exact;
+  info.version = 2;
   info.max_n = 200'000;
   info.version = 2;
   info.function = solve_at_any_size;

@@ -16,17 +16,18 @@ struct Corridor {
 /// Between the chains p_0 .. p_r and q_0 .. q_s (from one bridge to the other) a triangulation is a monotone lattice
 /// path from (0, 0) to (r, s): (i, j) stands for the edge p_i q_j, a step for the triangle between two such edges. A
 /// shortest path by dynamic programming over double-double sums. O(r s) time and bits, O(s) words.
-/// Ties (of sums that agree to about 100 bits): the step along the first chain.
-[[nodiscard]] Corridor triangulate_corridor(Points points, const ChainPair& pair);
+/// Ties (of sums that agree to about 100 bits): the step along the first chain. Nothing if the deadline passes first.
+[[nodiscard]] std::optional<Corridor> triangulate_corridor(Points points, const ChainPair& pair,
+                                                           const Deadline& deadline = {});
 
-/// Registry entry. The polygons that the chains bound by the O(k^3) polygon program (polygon_dp.h), the corridor as
-/// above: together a minimum weight triangulation, because the chains' edges are in every triangulation (chain_pair.h).
+/// Registry entry. The convex polygons that the chains bound by the O(k^3) polygon program (polygon_dp.h), the corridor
+/// as above: together a minimum weight triangulation, because the chains' edges are in every triangulation
+/// (chain_pair.h).
 ///
-/// NotApplicable unless the points are such a pair, decided exactly, or if the chains' lengths multiply to more than
-/// kMaxCorridorEdges. A chain of more than kMaxPolygon points is triangulated greedily and bounded from below by
-/// its boundary: the optimum is then an interval. Ignores the deadline. Deterministic.
+/// NotApplicable unless the points are such a pair, decided exactly. Where the deadline or memory stop it, the optimum
+/// is an interval: as triangulate_convex_polygon() says for the chains' polygons; if even the corridor takes too long,
+/// only the chains and bridges count, and the triangulation is the lightest that heuristics find. Deterministic, except
+/// for the deadline.
 [[nodiscard]] AlgorithmInfo two_chains_entry();
-
-inline constexpr std::uint64_t kMaxCorridorEdges = std::uint64_t{1} << 32;
 
 }  // namespace mwt

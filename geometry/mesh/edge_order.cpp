@@ -118,33 +118,82 @@ void EdgeOrder::sort(std::span<EdgeKey> edges) const {
   }
 }
 
-void sort_by_length(Points points, std::vector<Edge>& edges) {
-  struct Measured {
-    double squared_length;
-    Edge edge;
-  };
-  std::vector<Measured> measured;
-  measured.reserve(edges.size());
-  for (const Edge& edge : edges) {
-    const double dx = points[edge.a].x - points[edge.b].x, dy = points[edge.a].y - points[edge.b].y;
-    measured.push_back({dx * dx + dy * dy, edge});
+namespace {
+
+struct MeasuredEdge {
+  double squared_length;
+  Edge edge;
+};
+
+// Calls must_stop() once per 65,536 steps; throws if it returns true, for nothing else leads out of std::sort.
+class StopCheck {
+ public:
+  struct Stopped {};
+
+  explicit StopCheck(const std::function<bool()>& must_stop) : must_stop_(must_stop) {}
+
+  void count(std::size_t steps) {
+    constexpr std::size_t kStepsBetweenChecks = std::size_t{1} << 16;
+    steps_ += steps;
+    if (steps_ < kStepsBetweenChecks) return;
+    steps_ = 0;
+    if (must_stop_()) throw Stopped{};
   }
-  std::sort(measured.begin(), measured.end(),
-            [](const Measured& x, const Measured& y) { return x.squared_length < y.squared_length; });
+
+ private:
+  const std::function<bool()>& must_stop_;
+  std::size_t steps_ = 0;
+};
+
+std::vector<MeasuredEdge> sorted_by_rounded_length(Points points, const std::vector<Edge>& edges, StopCheck& check) {
+  std::vector<MeasuredEdge> result;
+  result.reserve(edges.size());
+  for (const Edge& edge : edges) {
+    check.count(1);
+    const double dx = points[edge.a].x - points[edge.b].x, dy = points[edge.a].y - points[edge.b].y;
+    result.push_back({dx * dx + dy * dy, edge});
+  }
+  std::sort(result.begin(), result.end(), [&](const MeasuredEdge& x, const MeasuredEdge& y) {
+    check.count(1);
+    return x.squared_length < y.squared_length;
+  });
+  return result;
+}
+
+void sort(Points points, std::vector<Edge>& edges, StopCheck& check) {
+  const std::vector<MeasuredEdge> measured = sorted_by_rounded_length(points, edges, check);
   const EdgeOrder order(points);
   std::vector<EdgeKey> run;
   auto out = edges.begin();
   // Where two neighbours certainly differ, so does everything before from everything after.
   for (std::size_t first = 0, last = 1; first < measured.size(); first = last++) {
-    const auto differ = [](const Measured& x, const Measured& y) {
+    const auto differ = [](const MeasuredEdge& x, const MeasuredEdge& y) {
       return EdgeOrder::surely_differ(x.squared_length, y.squared_length);
     };
     while (last < measured.size() && !differ(measured[last - 1], measured[last])) ++last;
+    constexpr std::size_t kStepsOfExactComparisons = 64;
+    check.count(last - first == 1 ? 1 : kStepsOfExactComparisons * (last - first));
     run.clear();
     for (std::size_t i = first; i < last; ++i) run.push_back(order.key(measured[i].edge.a, measured[i].edge.b));
     order.sort(run);
     for (const EdgeKey& key : run) *out++ = {key.a, key.b};
   }
+}
+
+}  // namespace
+
+bool sort_by_length(Points points, std::vector<Edge>& edges, const std::function<bool()>& must_stop) {
+  StopCheck check(must_stop);
+  try {
+    sort(points, edges, check);
+    return true;
+  } catch (const StopCheck::Stopped&) {
+    return false;
+  }
+}
+
+void sort_by_length(Points points, std::vector<Edge>& edges) {
+  static_cast<void>(sort_by_length(points, edges, [] { return false; }));
 }
 
 }  // namespace mwt

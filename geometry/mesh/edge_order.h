@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -69,7 +70,11 @@ class EdgeOrder {
 };
 
 /// Sorts `edges` (a < b in each) in the order of their lengths, then a, then b. O(m log m) time, 16 bytes per edge of
-/// extra space and 32 per edge of the longest run that rounding leaves undecided.
+/// extra space and 32 per edge of the longest run that rounding leaves undecided. If `must_stop`, called once per
+/// 65,536 steps, returns true, the sort ends: then false, and the edges are in no order.
+[[nodiscard]] bool sort_by_length(Points points, std::vector<Edge>& edges, const std::function<bool()>& must_stop);
+
+/// The same without a stop.
 void sort_by_length(Points points, std::vector<Edge>& edges);
 
 }  // namespace mwt

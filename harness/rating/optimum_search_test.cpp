@@ -20,7 +20,7 @@ TEST(OptimumSources, ByDefaultTheOneThatReachesFurthestComesFirst) {
 
 TEST(OptimumSources, ConvexPositionHasItsOwn) {
   EXPECT_EQ(default_sources(1000, true), (std::vector<std::string>{"polygon_dp", "exact", "two_chains"}));
-  EXPECT_EQ(default_sources(10000, true), (std::vector<std::string>{"exact", "two_chains"}));
+  EXPECT_EQ(default_sources(30000, true), (std::vector<std::string>{"exact", "two_chains"}));
 }
 
 }  // namespace

@@ -4,12 +4,19 @@
 
 #include "base/cpu_clock.h"
 #include "geometry/convex_hull.h"
+#include "harness/run/machine/available_memory.h"
 #include "harness/run/machine/peak_memory.h"
 #include "harness/run/repeated_timing.h"
 
 namespace mwt {
 
 namespace {
+
+// Nine tenths of what there is for tables, the rest for what no algorithm counts.
+std::optional<std::uint64_t> memory_for_tables() {
+  const std::optional<std::uint64_t> available = available_memory_bytes();
+  return available ? std::optional(*available / 10 * 9) : std::nullopt;
+}
 
 Context make_context(const Request& request) {
   Context context;
@@ -18,6 +25,7 @@ Context make_context(const Request& request) {
   context.parameters = request.parameters;
   context.start = request.start;
   context.progress = request.progress;
+  context.memory_bytes = memory_for_tables();
   return context;
 }
 

@@ -47,7 +47,8 @@ struct Execution {
 /// The solution alone, with nothing measured; may be called from any thread. Throws what the algorithm throws.
 [[nodiscard]] Execution solve_unmeasured(const Request& request, Points points);
 
-/// One execution. Throws what the algorithm throws; in particular NotApplicable.
+/// One execution. Throws what the algorithm throws; in particular NotApplicable. The algorithm may make tables of up to
+/// nine tenths of available_memory_bytes() (machine/available_memory.h) as it is before.
 [[nodiscard]] Execution execute_once(const Request& request, Points points);
 
 /// As many executions as it takes to time one: exactly one if that uses `min_time_s` of CPU time, else as

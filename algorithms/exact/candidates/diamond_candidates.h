@@ -28,8 +28,9 @@ struct CandidateBlocks {
 ///
 /// Properties of the candidates:
 ///   (1) an edge is left out only if points certainly lie inside both of its diamond triangles, or a point exactly on
-///   it; (2) an edge through a point may still be included if that point is not among the near ones; (3) the result
-///   does not depend on the number of threads.
+///   it; (2) an edge much longer than the near points reach, or than the distance to an end's nearest neighbour, is
+///   tested against all points (long_edges.h); (3) a shorter one through a point may still be included if that point is
+///   not among the near ones; (4) the result does not depend on the number of threads.
 /// Time O(n log n) on inputs whose local density varies gradually or in clusters; up to O(n^2) in convex position,
 /// where all edges pass the test. Runs on the threads of the enclosing task arena.
 class DiamondTest {
@@ -47,10 +48,14 @@ class DiamondTest {
   [[nodiscard]] bool may_connect(std::uint32_t leaf, std::uint32_t node) const;
   void collect_partners(std::uint32_t leaf, std::vector<std::uint32_t>& partners) const;
   void search_block(CandidateBlocks& blocks, std::uint32_t block) const;
+  [[nodiscard]] bool is_long(const CandidatePair& pair, float reach) const;
+  [[nodiscard]] float scaled_square(Index p, Index q) const;
+  void find_nearest(std::uint32_t leaf);
   void set_maximum(std::uint32_t node, std::span<const DeadDistances> parts);
 
   const KdOrder& order_;
   double scale_;
+  std::vector<float> nearest_square_;  ///< squared scaled distance of each point's nearest neighbour in its leaf
   std::vector<DeadDistances> dead_;
   std::vector<DeadDistances> dead_of_node_;      ///< maxima over a node's points
   std::vector<std::uint16_t> farthest_of_node_;  ///< maxima over a node's bins

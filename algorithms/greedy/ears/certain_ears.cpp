@@ -29,7 +29,8 @@ bool CertainEars::take(std::span<const MeshEdge> face) {
 // First come, first served, so that short ears are taken before long ones: fewer edges are flipped again and again.
 void CertainEars::look_at_waiting(FaceBoundary& boundary) {
   for (std::size_t i = 0; i < waiting_.size() && !stopped_; ++i) {
-    if (++looks_ % 4096 == 0 && parts_.context.deadline_passed()) stopped_ = true;
+    // An ear that is inserted may take thousands of flips.
+    if (++looks_ % 64 == 0 && parts_.context.deadline_passed()) stopped_ = true;
     look_at(boundary, waiting_[i], kFewSteps);
   }
   waiting_.clear();
