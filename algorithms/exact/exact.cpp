@@ -20,7 +20,9 @@
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
+#include "algorithms/two_chains/two_chains.h"
 #include "geometry/convex_hull.h"
+#include "geometry/numbers/interval.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -56,9 +58,10 @@ class ExactSolver {
   Solution run_stages() {
     const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
     try {
-      CandidateGraph graph = candidates();
+      std::optional<CandidateGraph> graph = candidates();
+      if (!graph) return corridor_solution();
       const ScopedPhase phase(context_, "faces");
-      const FaceSolution faces = solve_faces(std::move(graph), context_);
+      const FaceSolution faces = solve_faces(*std::move(graph), context_);
       count(faces);
       return make_solution(faces);
     } catch (const SearchStopped& stopped) {
@@ -68,7 +71,25 @@ class ExactSolver {
     }
   }
 
-  CandidateGraph candidates() {
+  // Nearly all pairs of points of two facing chains are candidates, but programs over the chains need none of them.
+  [[nodiscard]] bool is_corridor() const {
+    constexpr std::size_t kMinCorridor = 1000;
+    if (points_.size() < kMinCorridor) return false;
+    const std::optional<ChainPair> pair = find_chain_pair(points_);
+    return pair && std::uint64_t{pair->first.size()} * pair->second.size() <= kMaxCorridorEdges;
+  }
+
+  Solution corridor_solution() {
+    report_stage("corridor", 0);
+    Solution solution = two_chains_entry().function(points_, context_);
+    counters_ = std::move(solution.counters);
+    if (solution.optimum->relative_width() > kProvedRelativeWidth && !solution.stop_reason)
+      solution.stop_reason = StopReason::size;
+    return solution;
+  }
+
+  // Nothing if the points are two facing chains.
+  std::optional<CandidateGraph> candidates() {
     report_stage("k-d order", 0);
     {
       const ScopedPhase phase(context_, "kd_order");
@@ -82,6 +103,7 @@ class ExactSolver {
       const DiamondTest test(order_);
       const std::vector<Index> hull = find_hull(test.possible_hull_points());
       if (hull.size() == points_.size()) return convex_position_candidates(order_.points, hull);
+      if (hull.size() == 4 && is_corridor()) return {};
       hull_edges.next.assign(points_.size(), kNoIndex);
       for (std::size_t i = 0; i < hull.size(); ++i) hull_edges.next[hull[i]] = hull[(i + 1) % hull.size()];
       blocks = test.find_candidates(context_);

@@ -16,7 +16,7 @@ namespace mwt {
 ///   paths
 ///      in their universal cover; faces with more are cut open, bounded by dual values and divided
 ///      (holes/region_solver.h), and what is left are linear programs or branching.
-/// All points on the hull: only stage 5, over all diagonals.
+/// All points on the hull: only stage 5, over all diagonals. Two facing chains of 1,000 points or more: `two_chains`.
 ///
 /// Preconditions: distinct points, not all collinear. Collinear triples, ties and all magnitudes are normal input.
 /// Postcondition: the triangulation's weight is the optimum's upper end, and the optimum is certified from below. Where
