@@ -21,7 +21,9 @@
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
+#include "algorithms/two_chains/two_chains.h"
 #include "geometry/convex_hull.h"
+#include "geometry/numbers/interval.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -44,7 +46,7 @@ class ExactSolver {
     const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
     try {
       std::optional<CandidateGraph> graph = candidates();
-      if (!graph) return convex_solution();
+      if (!graph) return convex_polygon_.empty() ? corridor_solution() : convex_solution();
       const ScopedPhase phase(context_, "faces");
       const FaceSolution faces = solve_faces(*std::move(graph), context_);
       count(faces);
@@ -56,7 +58,24 @@ class ExactSolver {
     }
   }
 
-  // Nothing for points in convex position: these are then convex_polygon_.
+  // Nearly all pairs of points of two facing chains are candidates, but programs over the chains need none of them.
+  [[nodiscard]] bool is_corridor() const {
+    constexpr std::size_t kMinCorridor = 1000;
+    if (points_.size() < kMinCorridor) return false;
+    const std::optional<ChainPair> pair = find_chain_pair(points_);
+    return pair && std::uint64_t{pair->first.size()} * pair->second.size() <= kMaxCorridorEdges;
+  }
+
+  Solution corridor_solution() {
+    report_stage("corridor", 0);
+    Solution solution = two_chains_entry().function(points_, context_);
+    counters_ = std::move(solution.counters);
+    if (solution.optimum->relative_width() > kProvedRelativeWidth && !solution.stop_reason)
+      solution.stop_reason = StopReason::size;
+    return solution;
+  }
+
+  // Nothing for points in convex position, which are then convex_polygon_, and for two facing chains.
   std::optional<CandidateGraph> candidates() {
     report_stage("k-d order", 0);
     {
@@ -74,6 +93,7 @@ class ExactSolver {
         for (const Index p : hull) convex_polygon_.push_back(order_.original[p]);
         return {};
       }
+      if (hull.size() == 4 && is_corridor()) return {};
       hull_edges.next.assign(points_.size(), kNoIndex);
       for (std::size_t i = 0; i < hull.size(); ++i) hull_edges.next[hull[i]] = hull[(i + 1) % hull.size()];
       blocks = test.find_candidates(context_);

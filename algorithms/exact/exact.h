@@ -15,7 +15,8 @@ namespace mwt {
 ///   5. face_solver: each face of the certain edges: polygons by dynamic programs, faces with one hole by shortest
 ///      paths in their universal cover; faces with more are cut open, bounded by dual values and divided
 ///      (holes/region_solver.h), and what is left are linear programs or branching.
-/// All points on the hull: instead of stages 2 to 5 a program over intervals (polygon_dp/convex_polygon.h).
+/// All points on the hull: instead of stages 2 to 5 a program over intervals (polygon_dp/convex_polygon.h). Two facing
+/// chains of 1,000 points or more: `two_chains`.
 ///
 /// Preconditions: distinct points, not all collinear. Collinear triples, ties and all magnitudes are normal input.
 /// Postcondition: the triangulation's weight is the optimum's upper end, and the optimum is certified from below. Where

@@ -147,24 +147,28 @@ class Marking {
     std::partial_sort(order.begin(), near, order.end(), [&](Place a, Place b) {
       return compare_length(graph_.points[s], graph_.points[star[a]], graph_.points[s], graph_.points[star[b]]) < 0;
     });
+    std::vector<Place>& places = places_.local();
+    places.assign(star.size(), kNoPlace);
     for (Place t = 0; t < star.size(); ++t) {
       if (star[t] < s) continue;
       check_deadline();
-      const bool is_crossed = std::any_of(order.begin(), order.end(),
-                                          [&](Place y) { return y != t && is_crossed_from(star[y], s, star[t]); });
+      const bool is_crossed = std::any_of(order.begin(), order.end(), [&](Place y) {
+        if (y == t) return false;
+        if (places[y] == kNoPlace) places[y] = place_of(s, star[y]);
+        return is_crossed_from(star[y], places[y], s, star[t]);
+      });
       if (!is_crossed) graph_.certain[graph_.first[s] + t] = 1;
     }
   }
 
   // Whether an edge from y, a neighbour of s, to another neighbour of s crosses st. Seen from y it leaves between s and
-  // t: of a short edge st these are few.
-  bool is_crossed_from(Index y, Index s, Index t) const {
+  // t: of a short edge st these are few. `place`: of s in the star of y.
+  bool is_crossed_from(Index y, Place place, Index s, Index t) const {
     const Points points = graph_.points;
     const int turn = orientation(points[y], points[s], points[t]);
     if (turn == 0) return false;
     const auto star = graph_.star(y);
     const auto degree = static_cast<Place>(star.size());
-    Place place = place_of(s, y);
     for (;;) {
       if (turn > 0) {
         place = place + 1 < degree ? place + 1 : 0;
@@ -237,6 +241,7 @@ class Marking {
   const std::vector<Star>& stars_;
   const Context& context_;
   tbb::enumerable_thread_specific<std::vector<Place>> scratch_;
+  tbb::enumerable_thread_specific<std::vector<Place>> places_;  // of a vertex in the stars of its neighbours
   std::mutex hidden_mutex_;
   std::vector<Edge> hidden_;  // edges through another point
 };

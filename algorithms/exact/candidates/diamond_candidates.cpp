@@ -177,7 +177,8 @@ bool DiamondTest::is_long(const CandidatePair& pair, float reach) const {
   return square > enough * enough * nearest;
 }
 
-void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block) const {
+template <class Check>  // check(edges found since the last one) throws if there is no time or room for more
+void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block, const Check& check) const {
   const std::uint32_t block_node = blocks.first_block_node + block;
   const std::uint32_t leaves = order_.leaf_count / blocks.first_block_node;
   const std::uint32_t first_leaf = block_node * leaves;
@@ -190,6 +191,7 @@ void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block) con
   std::vector<CandidatePair>& outer = blocks.outer[block];
   for (std::uint32_t leaf = first_leaf; leaf < first_leaf + leaves; ++leaf) {
     collect_partners(leaf, partners);
+    const std::size_t before = inner.size() + outer.size();
     const CandidateSearch search{order_.points, dead_, finder.find(leaf), order_.first_of(leaf)};
     const float reach = search.near.distance[static_cast<std::size_t>(search.near.leaves - 1)];
     for (const std::uint32_t partner : partners) {
@@ -201,6 +203,7 @@ void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block) con
           found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), std::back_inserter(target),
           [&](const CandidatePair& pair) { return !(is_long(pair, reach) && long_edges.is_excluded(pair.p, pair.q)); });
     }
+    check(inner.size() + outer.size() - before);
   }
 }
 
@@ -209,15 +212,15 @@ CandidateBlocks DiamondTest::find_candidates(const Context& context) const {
   blocks.first_block_node = std::max(order_.leaf_count / CandidateBlocks::kLeavesPerBlock, 1U);
   blocks.inner.resize(blocks.first_block_node);
   blocks.outer.resize(blocks.first_block_node);
-  const std::size_t limit = std::max<std::size_t>(100'000'000, 64 * order_.points.size());
+  const std::size_t limit = max_candidates(order_.points.size());
   std::atomic<std::size_t> total = 0;
   tbb::parallel_for(std::uint32_t{0}, blocks.first_block_node, [&](std::uint32_t block) {
-    if (context.deadline_passed())
-      throw SearchStopped(StopReason::deadline, "the deadline passed during the diamond test");
-    search_block(blocks, block);
-    total += blocks.inner[block].size() + blocks.outer[block].size();
-    if (total > limit)
-      throw SearchStopped(StopReason::size, "more than " + std::to_string(limit) + " edges pass the diamond test");
+    search_block(blocks, block, [&](std::size_t found) {
+      if (context.deadline_passed())
+        throw SearchStopped(StopReason::deadline, "the deadline passed during the diamond test");
+      if (total += found; total > limit)
+        throw SearchStopped(StopReason::size, "more than " + std::to_string(limit) + " edges pass the diamond test");
+    });
   });
   return blocks;
 }

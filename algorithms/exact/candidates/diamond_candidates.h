@@ -1,6 +1,8 @@
 // First stage of the exact solver: all edges that the diamond test leaves.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,6 +25,9 @@ struct CandidateBlocks {
   [[nodiscard]] std::uint32_t block_count() const { return static_cast<std::uint32_t>(inner.size()); }
 };
 
+/// More candidates are not made: stars and faces would take some 50 bytes for each.
+[[nodiscard]] constexpr std::size_t max_candidates(std::size_t n) { return std::max<std::size_t>(30'000'000, 64 * n); }
+
 /// Finds a superset of the edges of every minimum weight triangulation (up to edges through a point, see below):
 /// about 11.6 edges per uniformly distributed point.
 ///
@@ -41,13 +46,14 @@ class DiamondTest {
   /// The points that may lie on the convex hull's boundary: those with a direction that nothing nearby blocks.
   [[nodiscard]] std::vector<Index> possible_hull_points() const;
 
-  /// Throws SearchStopped (search_stopped.h) after the context's deadline, or when the edges exceed max(10^8, 64 n).
+  /// Throws SearchStopped (search_stopped.h) after the context's deadline, or when the edges exceed max_candidates().
   [[nodiscard]] CandidateBlocks find_candidates(const Context& context) const;
 
  private:
   [[nodiscard]] bool may_connect(std::uint32_t leaf, std::uint32_t node) const;
   void collect_partners(std::uint32_t leaf, std::vector<std::uint32_t>& partners) const;
-  void search_block(CandidateBlocks& blocks, std::uint32_t block) const;
+  template <class Check>
+  void search_block(CandidateBlocks& blocks, std::uint32_t block, const Check& check) const;
   [[nodiscard]] bool is_long(const CandidatePair& pair, float reach) const;
   [[nodiscard]] float scaled_square(Index p, Index q) const;
   void find_nearest(std::uint32_t leaf);

@@ -101,8 +101,8 @@ class ChainProgram {
 
 class AnnulusSolver {
  public:
-  AnnulusSolver(Points points, const FaceRegion& region, const Deadline& deadline)
-      : instance_(points), region_(region), deadline_(deadline) {
+  AnnulusSolver(Points points, const FaceRegion& region, double limit, const Deadline& deadline)
+      : instance_(points), region_(region), limit_(limit), deadline_(deadline) {
     for (const Index vertex : region.vertices) points_.push_back(points[vertex]);
     if (!are_tiny(points_)) return;
     scale_ = kScale;
@@ -117,17 +117,20 @@ class AnnulusSolver {
     if (!outer.compute(deadline_) || !inner.compute(deadline_)) return {};
     const StripCosts costs{points_, outer.values(), inner.values()};
     StripPaths paths(*strip, costs, deadline_);
-    const std::optional<StripPath> path = paths.lightest(unavoidable_edges(points_, *strip));
-    if (!path) return {};
+    const std::optional<StripPath> path = paths.lightest(unavoidable_edges(points_, *strip), limit_ * scale_);
     AnnulusSolution solution;
+    solution.lower_bound = scale_ == 1 ? paths.lower_bound() : next_down(paths.lower_bound() / scale_);
+    solution.is_late = !paths.is_complete();
+    if (!path) {
+      const bool is_infeasible = paths.is_complete() && limit_ == std::numeric_limits<double>::infinity();
+      return is_infeasible || solution.lower_bound <= 0 ? std::nullopt : std::optional(std::move(solution));
+    }
     if (!append_triangles(*strip, *path, outer, inner, solution.triangles)) return {};
     for (Triangle& triangle : solution.triangles) {
       for (Index& corner : triangle) corner = region_.vertices[corner];
     }
     solution.diagonals = diagonals_length(instance_, region_, solution.triangles);
-    solution.lower_bound = std::min(scale_ == 1 ? paths.lower_bound() : next_down(paths.lower_bound() / scale_),
-                                    solution.diagonals.enclosure().lower);
-    solution.is_late = !paths.is_complete();
+    solution.lower_bound = std::min(solution.lower_bound, solution.diagonals.enclosure().lower);
     return solution;
   }
 
@@ -154,6 +157,7 @@ class AnnulusSolver {
 
   Points instance_;
   const FaceRegion& region_;
+  double limit_;
   const Deadline& deadline_;
   std::vector<Point> points_;  // by position in region.vertices
   double scale_ = 1;
@@ -161,8 +165,9 @@ class AnnulusSolver {
 
 }  // namespace
 
-std::optional<AnnulusSolution> solve_annulus(Points points, const FaceRegion& region, const Deadline& deadline) {
-  return AnnulusSolver(points, region, deadline).run();
+std::optional<AnnulusSolution> solve_annulus(Points points, const FaceRegion& region, double limit,
+                                             const Deadline& deadline) {
+  return AnnulusSolver(points, region, limit, deadline).run();
 }
 
 }  // namespace mwt

@@ -12,9 +12,9 @@
 namespace mwt {
 
 struct AnnulusSolution {
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> triangles;  ///< none if none below the limit was found
   LengthSum diagonals;
-  double lower_bound = 0;  ///< certified, on the diagonals of any triangulation by candidates
+  double lower_bound = 0;  ///< certified: triangulations by candidates are not lighter, or not below the limit
   bool is_late = false;    ///< the deadline stopped the search: better triangulations may exist
 };
 
@@ -24,10 +24,10 @@ struct AnnulusSolution {
 /// what each chord cuts off: the interval program of each boundary, repeated twice so that chords across the cut are
 /// intervals too. Every triangulation contains one of a few edges at an extreme point of the hole, where paths begin.
 ///
-/// Nothing if the region is no such face (see make_strip()), has no triangulation by candidates, or if the deadline
-/// passes before one is known. Exact and deterministic, except for the deadline. Time: that of a polygon's program over
-/// both boundaries twice, and O(arcs of the strip).
-[[nodiscard]] std::optional<AnnulusSolution> solve_annulus(Points points, const FaceRegion& region,
+/// `limit`: what is not lighter than this is of no interest. Nothing if the region is no such face (see make_strip()),
+/// has no triangulation by candidates, or if the deadline passes before bounds are known. Exact and deterministic,
+/// except for the deadline. Time: that of a polygon's program over both boundaries twice, and O(arcs of the strip).
+[[nodiscard]] std::optional<AnnulusSolution> solve_annulus(Points points, const FaceRegion& region, double limit,
                                                            const Deadline& deadline);
 
 }  // namespace mwt

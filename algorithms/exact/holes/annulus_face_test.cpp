@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <algorithm>
 
 #include "algorithms/common/testing/solver_testing.h"
@@ -13,6 +15,8 @@
 
 namespace mwt {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using hole_instances::append_ring;
 using hole_instances::Random;
@@ -51,7 +55,7 @@ Annulus make_annulus(std::size_t outer, std::size_t inner, double inner_radius, 
 }
 
 void expect_same_as_program(const Annulus& annulus) {
-  const auto solution = solve_annulus(annulus.points, annulus.region, {});
+  const auto solution = solve_annulus(annulus.points, annulus.region, kInfinity, {});
   ASSERT_TRUE(solution);
   EXPECT_FALSE(solution->is_late);
   EXPECT_EQ(solution->triangles.size(), annulus.region.triangle_count());
@@ -99,9 +103,9 @@ TEST(AnnulusFace, TakesTinyCoordinates) {
   Random random(6);
   Annulus annulus = make_annulus(8, 3, .2, random);
   while (annulus.region.components != 2) annulus = make_annulus(8, 3, .2, random);
-  const auto expected = solve_annulus(annulus.points, annulus.region, {});
+  const auto expected = solve_annulus(annulus.points, annulus.region, kInfinity, {});
   for (Point& p : annulus.points) p = {p.x * 0x1p-1000, p.y * 0x1p-1000};
-  const auto tiny = solve_annulus(annulus.points, annulus.region, {});
+  const auto tiny = solve_annulus(annulus.points, annulus.region, kInfinity, {});
   ASSERT_TRUE(expected && tiny);
   EXPECT_EQ(tiny->triangles, expected->triangles);
   EXPECT_LE(tiny->lower_bound, tiny->diagonals.enclosure().upper);
@@ -112,9 +116,9 @@ TEST(AnnulusFace, RefusesWhatHasNoTriangulation) {
   const std::vector<Point> points{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {4, 3}};
   FaceRegion region = naive::region_of_hull(points);
   region.candidates = {{0, 4}, {1, 4}, {2, 4}};
-  EXPECT_FALSE(solve_annulus(points, region, {}));
+  EXPECT_FALSE(solve_annulus(points, region, kInfinity, {}));
   region.candidates.push_back({3, 4});
-  const auto solution = solve_annulus(points, region, {});
+  const auto solution = solve_annulus(points, region, kInfinity, {});
   ASSERT_TRUE(solution);
   EXPECT_EQ(solution->triangles.size(), 4);
 }
@@ -122,7 +126,7 @@ TEST(AnnulusFace, RefusesWhatHasNoTriangulation) {
 TEST(AnnulusFace, StopsAtTheDeadline) {
   Random random(7);
   Annulus annulus = make_annulus(9, 1, .2, random);
-  EXPECT_FALSE(solve_annulus(annulus.points, annulus.region, std::chrono::steady_clock::time_point::min()));
+  EXPECT_FALSE(solve_annulus(annulus.points, annulus.region, kInfinity, std::chrono::steady_clock::time_point::min()));
 }
 
 TEST(Strip, EveryTriangulationContainsAnUnavoidableEdge) {

@@ -27,6 +27,7 @@ class DividedRegion {
     solve_faces();
     if (is_feasible_) solve_composite_faces();
     if (!is_feasible_) return RegionSolution::infeasible();
+    if (is_too_heavy_) result_.triangles.clear();
     result_.diagonals.add(exact_);
     result_.lower_bound = next_down(result_.lower_bound + exact_.enclosure().lower);
     return std::move(result_);
@@ -119,6 +120,7 @@ class DividedRegion {
       is_feasible_ = is_feasible_ && part.is_feasible();
       if (!is_feasible_) return;
       add(part);
+      is_too_heavy_ = is_too_heavy_ || part.triangles.empty();
     }
   }
 
@@ -139,6 +141,7 @@ class DividedRegion {
   std::vector<Walk> composite_;
   std::vector<Index> isolated_;
   bool is_feasible_ = true;
+  bool is_too_heavy_ = false;  // a part has no triangulation below the limit
   RegionSolution result_;
 };
 

@@ -80,16 +80,21 @@ RegionSolution solve_by_branching(Points points, const FaceRegion& region, const
   for (const Edge& edge : edges) {
     LengthSum own;
     own.add(points[edge.a], points[edge.b]);
+    if (own.enclosure().lower >= limit) {  // as are the others
+      best.lower_bound = std::min(best.lower_bound, limit);
+      break;
+    }
     branch.limit = next_up(limit - own.enclosure().lower);
     RegionSolution found = solve_region(points, with_slit(points, rest, edge), branch);
     best.counters.add(found.counters);
     std::erase(rest.candidates, edge);
     if (!found.is_feasible()) continue;
-    found.diagonals.add(own);
     best.lower_bound = std::min(best.lower_bound, next_down(found.lower_bound + own.enclosure().lower));
     const bool is_settled = found.solved || found.lower_bound >= branch.limit;
     best.solved = best.solved && is_settled;
     if (!is_settled) best.stop_reason = combined(best.stop_reason, found.stop_reason);
+    if (found.triangles.empty()) continue;  // nothing below the limit
+    found.diagonals.add(own);
     const double weight = found.diagonals.enclosure().upper;
     limit = std::min(limit, weight);
     if (!best.triangles.empty() && best.diagonals.enclosure().upper <= weight) continue;

@@ -88,16 +88,24 @@ class RegionSolver {
   }
 
   std::optional<RegionSolution> solve_with_one_hole() {
-    std::optional<AnnulusSolution> annulus = solve_annulus(points_, region_, search_.deadline);
+    std::optional<AnnulusSolution> annulus = solve_annulus(points_, region_, search_.limit, search_.deadline);
     if (!annulus) return {};
     RegionSolution result;
     result.triangles = std::move(annulus->triangles);
     result.diagonals = annulus->diagonals;
     result.lower_bound = annulus->lower_bound;
-    if (annulus->is_late) result.lower_bound = std::max(result.lower_bound, simple_bound(points_, region_));
     result.solved = !annulus->is_late;
-    result.stop_reason = deadline_if(annulus->is_late);
+    if (annulus->is_late) {
+      result.lower_bound = std::max(result.lower_bound, simple_bound(points_, region_));
+      result.stop_reason = StopReason::deadline;
+      if (result.triangles.empty()) fill(result);
+    }
     return result;
+  }
+
+  void fill(RegionSolution& result) const {
+    result.triangles = fill_region(points_, region_);
+    result.diagonals = diagonals_length(points_, region_, result.triangles);
   }
 
   // Nothing if the region stays as it is; then a bound is kept.
@@ -125,7 +133,8 @@ class RegionSolver {
     best_.lower_bound = std::max(best_.lower_bound, std::min(rest.lower_bound, reach));
     best_.solved = rest.solved || rest.lower_bound >= reach;
     best_.stop_reason = best_.solved ? std::nullopt : rest.stop_reason;
-    const bool is_better = rest.is_feasible() && rest.diagonals.enclosure().upper < best_.diagonals.enclosure().upper;
+    const bool is_better =
+        !rest.triangles.empty() && rest.diagonals.enclosure().upper < best_.diagonals.enclosure().upper;
     if (is_better) {
       best_.triangles = std::move(rest.triangles);
       best_.diagonals = rest.diagonals;

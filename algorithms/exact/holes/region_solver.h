@@ -26,7 +26,7 @@ struct RegionCounters {
 };
 
 struct RegionSolution {
-  std::vector<Triangle> triangles;  ///< a triangulation of the region; none if candidates admit none
+  std::vector<Triangle> triangles;  ///< of the region; none if candidates admit none, or none below the limit
   LengthSum diagonals;              ///< their total length
   double lower_bound = 0;           ///< certified: triangulations by candidates are not lighter, or not below the limit
   bool solved = false;              ///< nothing lighter than `triangles`, or than the limit, exists, up to rounding

@@ -194,7 +194,8 @@ StripPath StripPaths::path_found() const {
   return path;
 }
 
-std::optional<StripPath> StripPaths::lightest(const std::vector<CrossEdge>& starts) {
+std::optional<StripPath> StripPaths::lightest(const std::vector<CrossEdge>& starts, double limit) {
+  best_cost_ = limit;
   std::vector<Node> nodes;
   for (const CrossEdge& edge : starts) nodes.push_back(find(edge.outer, edge.inner));
   if (!find_bounds(nodes)) return {};

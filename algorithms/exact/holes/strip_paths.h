@@ -41,7 +41,8 @@ class StripPaths {
 
   /// Nothing if the deadline stops it before any path is known, or if there is none. O(arcs) for the bounds, then
   /// according to how many starts they leave.
-  [[nodiscard]] std::optional<StripPath> lightest(const std::vector<CrossEdge>& starts);
+  /// `limit`: nothing either if no path is shorter than this; then lower_bound() may be as little as the limit.
+  [[nodiscard]] std::optional<StripPath> lightest(const std::vector<CrossEdge>& starts, double limit);
 
   /// After lightest(): no path through any of the starts is shorter; certified.
   [[nodiscard]] double lower_bound() const { return lower_bound_; }
