@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 if [ $# -gt 0 ]; then
   sources=("$@")
 else
-  mapfile -t sources < <(find base geometry generators algorithms harness -name '*.cpp' ! -name '*_test.cpp' ! -path '*/testing/*' ! -name '*_kernels.cpp' | sort)
+  mapfile -t sources < <(find base geometry generators algorithms verifier harness -name '*.cpp' ! -name '*_test.cpp' ! -path '*/testing/*' ! -name '*_kernels.cpp' | sort)
 fi
 found=$(printf '%s\0' "${sources[@]}" |
   xargs -0 -n 4 -P "$(nproc)" clang-tidy --quiet -p build/release 2>/dev/null) || {

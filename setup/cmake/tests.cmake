@@ -33,6 +33,7 @@ mwt_add_tests(geometry mwt_geometry mwt_shapes_for_tests CGAL::CGAL)
 mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not include each other; only their tests do.
 mwt_add_tests(algorithms mwt_algorithms mwt_generators mwt_shapes_for_tests)
+mwt_add_tests(verifier mwt_verifier Boost::headers MPFI::MPFI ZSTD::ZSTD OpenSSL::Crypto)
 # Boost and JSON: to look at results with other eyes than the harness's own.
 mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json)
 # The harness's tests also run the programs as their users do.
