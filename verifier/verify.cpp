@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -193,8 +194,17 @@ class Verification {
     const bool is_claim = 0 <= claimed_lower_ && claimed_lower_ <= claimed_upper_;
     require(is_claim && claimed_lower_ <= verdict_.upper && claimed_upper_ >= lower_double(weight),
             "the interval claimed contradicts the one proved");
-    require(verdict_.lower >= claimed_lower_ * (1 - kOptimalWidth), "less is proved than claimed: the lower end");
-    require(verdict_.upper <= claimed_upper_ * (1 + kOptimalWidth), "less is proved than claimed: the upper end");
+    if (verdict_.lower < claimed_lower_ * (1 - kOptimalWidth) ||
+        verdict_.upper > claimed_upper_ * (1 + kOptimalWidth)) {
+      throw Refused("less is proved than claimed: " + text(verdict_.lower, verdict_.upper) + " instead of " +
+                    text(claimed_lower_, claimed_upper_));
+    }
+  }
+
+  static std::string text(double lower, double upper) {
+    char buffer[80];
+    std::snprintf(buffer, sizeof buffer, "[%.17g, %.17g]", lower, upper);
+    return buffer;
   }
 
   static bool is_narrow(double lower, double upper) { return upper - lower <= kOptimalWidth * upper; }

@@ -16,10 +16,12 @@
 #include "algorithms/exact/candidates/far_edges.h"
 #include "algorithms/exact/candidates/kd_order.h"
 #include "algorithms/exact/candidates/lmt_skeleton.h"
+#include "algorithms/exact/faces/face_proof.h"
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
+#include "algorithms/proof_trace.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
 
@@ -57,9 +59,10 @@ class ExactSolver {
     const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
     try {
       CandidateGraph graph = candidates();
-      const ScopedPhase phase(context_, "faces");
-      const FaceSolution faces = solve_faces(std::move(graph), context_);
-      count(faces);
+      std::optional<CandidateGraph> noted;
+      if (context_.proof != nullptr) noted = graph;
+      const FaceSolution faces = solve(std::move(graph));
+      if (noted) note_proof(*std::move(noted), faces);
       return make_solution(faces);
     } catch (const SearchStopped& stopped) {
       return without_triangulation(stopped.reason, stopped.lower_bound);
@@ -73,6 +76,7 @@ class ExactSolver {
     {
       const ScopedPhase phase(context_, "kd_order");
       order_ = make_kd_order(points_);
+      if (context_.proof != nullptr) context_.proof->order = order_.original;
     }
     report_stage("diamond test", 0.05);
     HullEdges hull_edges;
@@ -127,6 +131,18 @@ class ExactSolver {
     counters_[name] = static_cast<double>(edges);
   }
 
+  FaceSolution solve(CandidateGraph graph) {
+    const ScopedPhase phase(context_, "faces");
+    FaceSolution faces = solve_faces(std::move(graph), context_);
+    count(faces);
+    return faces;
+  }
+
+  void note_proof(CandidateGraph graph, const FaceSolution& faces) {
+    const ScopedPhase phase(context_, "proof");
+    note_faces(std::move(graph), faces.triangles, context_);
+  }
+
   void count(const FaceSolution& faces) {
     counters_["faces"] = static_cast<double>(faces.faces);
     counters_["max_face"] = static_cast<double>(faces.max_face);
@@ -154,7 +170,13 @@ class ExactSolver {
   Solution without_triangulation(StopReason reason, double lower_bound) {
     order_ = {};
     Solution solution;
-    solution.optimum = {std::max(simple_lower_bound(points_), lower_bound), std::numeric_limits<double>::infinity()};
+    const double simple_bound = simple_lower_bound(points_);
+    if (context_.proof != nullptr) {
+      *context_.proof = ProofTrace();
+      context_.proof->lower_bound = simple_bound;
+      context_.proof->is_complete = true;
+    }
+    solution.optimum = {std::max(simple_bound, lower_bound), std::numeric_limits<double>::infinity()};
     solution.stop_reason = reason;
     return solution;
   }
@@ -199,6 +221,7 @@ AlgorithmInfo exact_entry() {
   info.time = "about O(n log n) on random input; exponential in the worst case (NP-hard)";
   info.space = "about 400 bytes per point";
   info.exactness = Exactness::exact;
+  info.has_proofs = true;
   info.max_n = 10'000'000;
   info.version = 2;
   info.function = exact;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/common/solve_scaled.h"
+#include "algorithms/proof/polygon_duals.h"
 #include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
@@ -175,6 +176,13 @@ void require_convex_position(Points points, const std::vector<Index>& hull) {
                       std::to_string(inner) + " lies inside");
 }
 
+// The hull is certain, and everything else one polygon.
+void note_proof(Points points, const std::vector<Index>& hull, ProofTrace& trace) {
+  trace.regions.push_back(PolygonDuals().solve(points, hull, diagonals_of_convex_polygon(points, hull)));
+  trace.lower_bound = next_down(cycle_length(points, hull).lower + trace.regions.back().lower_bound);
+  trace.is_complete = true;
+}
+
 Solution solve(Points points, Context& context) {
   const std::vector<Index> hull = convex_hull(points);
   require_convex_position(points, hull);
@@ -184,6 +192,7 @@ Solution solve(Points points, Context& context) {
   Solution solution;
   solution.triangulation = {static_cast<Index>(points.size()), std::move(result.triangles)};
   if (by_edges) solution.optimum = {result.cost.lower, weight(points, solution.triangulation).upper};
+  if (by_edges && context.proof != nullptr) note_proof(points, hull, *context.proof);
   return solution;
 }
 
@@ -212,6 +221,7 @@ AlgorithmInfo polygon_dp_entry() {
   info.time = "O(n^3)";
   info.space = "O(n^2)";
   info.exactness = Exactness::exact;
+  info.has_proofs = true;
   info.max_n = kMaxPolygon;
   info.version = 2;
   info.convex_position_only = true;

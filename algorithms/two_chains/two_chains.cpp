@@ -7,6 +7,8 @@
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/greedy/greedy.h"
 #include "algorithms/polygon_dp/polygon_dp.h"
+#include "algorithms/proof/polygon_duals.h"
+#include "algorithms/two_chains/corridor_duals.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
 #include "geometry/weight.h"
@@ -100,6 +102,36 @@ ChainPair require_pair(Points points) {
   return *std::move(pair);
 }
 
+// Larger parts are left out of proofs, which then prove less: nobody could check them.
+constexpr std::size_t kMaxNotedEdges = 4'000'000;
+
+// Nothing crosses the chains' edges; between them lies the corridor, and each closes a convex polygon. A chain of two
+// points closes none.
+void note_proof(Points points, const ChainPair& pair, ProofTrace& trace) {
+  const Chains chains = chains_of(pair);
+  LengthSum certain;
+  EdgeConclusions uncrossed{EdgeReason::uncrossed, {}, {}};
+  for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
+    for (std::size_t i = 1; i < chain->size(); ++i) {
+      uncrossed.edges.push_back(make_edge((*chain)[i - 1], (*chain)[i]));
+      certain.add(points[(*chain)[i - 1]], points[(*chain)[i]]);
+    }
+    if (chain->size() > 2) certain.add(points[chain->front()], points[chain->back()]);
+    const bool is_noted = chain->size() > 2 && chain->size() * chain->size() / 2 <= kMaxNotedEdges;
+    if (is_noted)
+      trace.regions.push_back(PolygonDuals().solve(points, *chain, diagonals_of_convex_polygon(points, *chain)));
+  }
+  certain.add(points[chains.p.front()], points[chains.q.front()]);
+  certain.add(points[chains.p.back()], points[chains.q.back()]);
+  if (chains.p.size() * chains.q.size() <= kMaxNotedEdges) {
+    trace.regions.push_back(corridor_duals(points, chains.p, chains.q));
+  }
+  trace.edges.push_back(std::move(uncrossed));
+  trace.lower_bound = certain.enclosure().lower;
+  for (const DualRegion& region : trace.regions) trace.lower_bound = next_down(trace.lower_bound + region.lower_bound);
+  trace.is_complete = true;
+}
+
 Solution solve(Points points, Context& context) {
   const ChainPair pair = [&] {
     const ScopedPhase phase(context, "recognition");
@@ -120,6 +152,7 @@ Solution solve(Points points, Context& context) {
                                             part.triangles.end());
   }
   solution.optimum = {optimum.lower, weight(points, solution.triangulation).upper};
+  if (context.proof != nullptr) note_proof(points, pair, *context.proof);
   solution.counters = {{"first_chain", static_cast<double>(pair.first.size())},
                        {"second_chain", static_cast<double>(pair.second.size())}};
   return solution;
@@ -147,6 +180,7 @@ AlgorithmInfo two_chains_entry() {
   info.time = "O(r^3 + s^3) for chains of r and s points";
   info.space = "O(r^2 + s^2)";
   info.exactness = Exactness::exact;
+  info.has_proofs = true;
   info.max_n = 200'000;
   info.version = 2;
   info.function = solve_at_any_size;

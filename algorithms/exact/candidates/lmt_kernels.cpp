@@ -205,8 +205,8 @@ struct VectorStars {
 template <class Stars>
 class Deletion {
  public:
-  Deletion(StarTable& table, Points points, const HullEdges& hull)
-      : stars_(table.stars), points_(points), hull_(hull) {}
+  Deletion(StarTable& table, Points points, const HullEdges& hull, std::vector<Edge>* deleted = nullptr)
+      : stars_(table.stars), points_(points), hull_(hull), deleted_(deleted) {}
 
   LmtCounters run(std::span<const CandidatePair> edges, const Context& context) {
     constexpr std::size_t kEdgesPerDeadlineCheck = 256;
@@ -243,6 +243,7 @@ class Deletion {
       store_certificate(s, o, at_s, at_o, left, right);
     } else {
       ++counters_.deleted;
+      if (deleted_ != nullptr) deleted_->push_back(make_edge(p, q));
       remove(s, at_s);
       remove(o, at_o);
     }
@@ -317,6 +318,7 @@ class Deletion {
   std::vector<Star>& stars_;
   Points points_;
   const HullEdges& hull_;
+  std::vector<Edge>* deleted_;          // a log, or nullptr
   std::vector<CandidatePair> pending_;  // their certificates broke
   LmtCounters counters_;
   ExaminedEdge edge_;
@@ -324,8 +326,9 @@ class Deletion {
 };
 
 LmtCounters DeleteEdgesWithoutCertificate(StarTable& table, Points points, const HullEdges& hull,
-                                          std::span<const CandidatePair> edges, const Context& context) {
-  return Deletion<VectorStars>(table, points, hull).run(edges, context);
+                                          std::span<const CandidatePair> edges, const Context& context,
+                                          std::vector<Edge>* deleted) {
+  return Deletion<VectorStars>(table, points, hull, deleted).run(edges, context);
 }
 
 LmtCounters DeleteEdgesWithoutCertificatePlainly(StarTable& table, Points points, const HullEdges& hull,
@@ -344,8 +347,9 @@ HWY_EXPORT(DeleteEdgesWithoutCertificate);
 HWY_EXPORT(DeleteEdgesWithoutCertificatePlainly);
 
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                             std::span<const CandidatePair> edges, const Context& context) {
-  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context);
+                                             std::span<const CandidatePair> edges, const Context& context,
+                                             std::vector<Edge>* deleted) {
+  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context, deleted);
 }
 
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,

@@ -9,9 +9,11 @@
 #include "algorithms/algorithm.h"
 #include "algorithms/exact/candidates/diamond_kernels.h"
 #include "algorithms/exact/candidates/stars.h"
+#include "geometry/triangulation.h"
 
 namespace mwt {
 
+/// What delete_edges_without_certificate() did.
 struct LmtCounters {
   std::uint64_t checks = 0;
   std::uint64_t deleted = 0;
@@ -36,9 +38,11 @@ struct HullEdges {
 /// change.
 ///
 /// All decisions are made in floats with error margins; what is uncertain, or not a number (Star::component), keeps the
-/// edge. After the context's deadline the remaining edges are kept unexamined.
+/// edge. After the context's deadline the remaining edges are kept unexamined. The edges deleted are appended to
+/// `deleted`, if there is one, in their order.
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                             std::span<const CandidatePair> edges, const Context& context);
+                                             std::span<const CandidatePair> edges, const Context& context,
+                                             std::vector<Edge>* deleted = nullptr);
 
 /// For tests: the same by the loops of lmt_scalar.h, with the rounding of the instruction set in use.
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,
