@@ -1,6 +1,7 @@
 // Solvers write proofs, the verifier checks them: the two share no code, so this is a test of both.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <functional>
 #include <numbers>
 
@@ -11,6 +12,7 @@
 #include "geometry/checker.h"
 #include "geometry/point_set.h"
 #include "geometry/weight.h"
+#include "harness/io/points/point_file.h"
 #include "harness/io/proof_file.h"
 #include "harness/io/testing/folder_testing.h"
 #include "verifier/refused.h"
@@ -137,6 +139,18 @@ TEST(Proof, OfLargerSetsIsVerified) {
     SCOPED_TRACE(family);
     prover.prove_optimum("exact", make_point_set(generate(family, 3000, 1), family).points);
   }
+}
+
+TEST(Proof, OfTsplibIsVerified) {
+  const Prover prover;
+  int instances = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(MWT_SOURCE_DIR "/harness/studies/tsplib")) {
+    if (entry.path().extension() != ".tsp") continue;
+    SCOPED_TRACE(entry.path().filename());
+    prover.prove_optimum("exact", make_point_set(read_points(entry.path()), "tsplib").points);
+    ++instances;
+  }
+  EXPECT_EQ(instances, 8);
 }
 
 TEST(Proof, DoesNotDependOnThreads) {

@@ -39,8 +39,9 @@ mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json)
 # The harness's tests also run the programs as their users do.
 if(TARGET harness_test)
   target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>"
+                             MWT_VERIFY_EXECUTABLE="$<TARGET_FILE:mwt_verify>"
                              MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
-  add_dependencies(harness_test mwt mwt_benchmark)
+  add_dependencies(harness_test mwt mwt_verify mwt_benchmark)
 endif()
 # What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
 # Optimised builds only: sanitizers find nothing in Python.
