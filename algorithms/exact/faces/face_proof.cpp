@@ -253,12 +253,12 @@ class FaceProof {
     ProofTrace& trace = *context_.proof;
     EdgeConclusions certain{EdgeReason::uncrossed, {}, {}};
     LengthSum length;
-    double lower = 0;
+    DoubleDouble lower;  // in doubles, hundreds of thousands of regions would lose too much
     for (Part& part : parts_) {
       certain.edges.insert(certain.edges.end(), part.certain_edges.begin(), part.certain_edges.end());
       length.add(part.certain);
       for (DualRegion& region : part.regions) {
-        lower = std::max(0.0, next_down(lower + region.lower_bound));
+        lower = lower + DoubleDouble(region.lower_bound);
         trace.regions.push_back(std::move(region));
       }
     }
@@ -266,7 +266,8 @@ class FaceProof {
     if (!removed_.empty()) {
       trace.edges.push_back({EdgeReason::crosses_certain, std::move(removed_), std::move(crossed_)});
     }
-    trace.lower_bound = std::max(0.0, next_down(lower + length.enclosure().lower));
+    const DoubleDouble sum = lower + DoubleDouble(length.enclosure().lower);
+    trace.lower_bound = std::max(0.0, next_down(next_down(sum.high)));
     trace.is_complete = true;
   }
 
