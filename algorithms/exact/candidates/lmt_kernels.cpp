@@ -205,8 +205,8 @@ struct VectorStars {
 template <class Stars>
 class Deletion {
  public:
-  Deletion(StarTable& table, Points points, const HullEdges& hull)
-      : stars_(table.stars), points_(points), hull_(hull) {}
+  Deletion(StarTable& table, Points points, const HullEdges& hull, std::vector<Edge>* deleted = nullptr)
+      : stars_(table.stars), points_(points), hull_(hull), deleted_(deleted) {}
 
   LmtCounters run(std::span<const CandidatePair> edges, const Context& context) {
     constexpr std::size_t kEdgesPerDeadlineCheck = 256;
@@ -258,6 +258,7 @@ class Deletion {
       store_certificate(s, o, at_s, at_o, left, right);
     } else {
       ++counters_.deleted;
+      if (deleted_ != nullptr) deleted_->push_back(make_edge(p, q));
       remove(s, at_s);
       remove(o, at_o);
     }
@@ -332,6 +333,7 @@ class Deletion {
   std::vector<Star>& stars_;
   Points points_;
   const HullEdges& hull_;
+  std::vector<Edge>* deleted_;          // a log, or nullptr
   std::vector<CandidatePair> pending_;  // their certificates broke
   LmtCounters counters_;
   ExaminedEdge edge_;
@@ -339,8 +341,9 @@ class Deletion {
 };
 
 LmtCounters DeleteEdgesWithoutCertificate(StarTable& table, Points points, const HullEdges& hull,
-                                          std::span<const CandidatePair> edges, const Context& context) {
-  return Deletion<VectorStars>(table, points, hull).run(edges, context);
+                                          std::span<const CandidatePair> edges, const Context& context,
+                                          std::vector<Edge>* deleted) {
+  return Deletion<VectorStars>(table, points, hull, deleted).run(edges, context);
 }
 
 LmtCounters DeleteEdgesWithoutCertificatePlainly(StarTable& table, Points points, const HullEdges& hull,
@@ -349,8 +352,8 @@ LmtCounters DeleteEdgesWithoutCertificatePlainly(StarTable& table, Points points
 }
 
 LmtCounters DeleteEdges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
-                        const Context& context) {
-  return Deletion<VectorStars>(table, points, hull).run_without(edges, context);
+                        const Context& context, std::vector<Edge>* deleted) {
+  return Deletion<VectorStars>(table, points, hull, deleted).run_without(edges, context);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -365,13 +368,14 @@ HWY_EXPORT(DeleteEdges);
 HWY_EXPORT(DeleteEdgesWithoutCertificatePlainly);
 
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                             std::span<const CandidatePair> edges, const Context& context) {
-  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context);
+                                             std::span<const CandidatePair> edges, const Context& context,
+                                             std::vector<Edge>* deleted) {
+  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context, deleted);
 }
 
 LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
-                         const Context& context) {
-  return HWY_DYNAMIC_DISPATCH(DeleteEdges)(table, points, hull, edges, context);
+                         const Context& context, std::vector<Edge>* deleted) {
+  return HWY_DYNAMIC_DISPATCH(DeleteEdges)(table, points, hull, edges, context, deleted);
 }
 
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,
