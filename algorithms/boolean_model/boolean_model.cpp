@@ -200,7 +200,7 @@ AlgorithmInfo boolean_model_entry() {
   info.summary = "the report's Boolean model, one variable per edge, by branch and cut; counts its models too";
   info.source = "source report, section 3";
   info.guarantee = "optimal, up to the certified interval it returns";
-  info.time = "exponential; linear programs of O(n^2) variables";
+  info.time = "exponential, in convex position from 11 points on; linear programs of O(n^2) variables";
   info.space = "O(n^4)";
   info.exactness = Exactness::exact;
   info.max_n = 10;

@@ -163,9 +163,21 @@ class ExactSolver {
     return faces;
   }
 
+  // A proof for which there is too little memory is no reason to lose the solution.
   void note_proof(CandidateGraph graph, const FaceSolution& faces) {
     const ScopedPhase phase(context_, "proof");
-    note_faces(std::move(graph), faces.triangles, context_);
+    try {
+      note_faces(std::move(graph), faces.triangles, context_);
+    } catch (const std::bad_alloc&) {
+      note_simple_bound(simple_lower_bound(points_));
+    }
+  }
+
+  void note_simple_bound(double bound) {
+    if (context_.proof == nullptr) return;
+    *context_.proof = ProofTrace();
+    context_.proof->lower_bound = bound;
+    context_.proof->is_complete = true;
   }
 
   void count(const FaceSolution& faces) {
@@ -209,11 +221,7 @@ class ExactSolver {
     order_ = {};
     Solution solution;
     const double simple_bound = simple_lower_bound(points_);
-    if (context_.proof != nullptr) {
-      *context_.proof = ProofTrace();
-      context_.proof->lower_bound = simple_bound;
-      context_.proof->is_complete = true;
-    }
+    note_simple_bound(simple_bound);
     solution.optimum = {std::max(simple_bound, lower_bound), std::numeric_limits<double>::infinity()};
     solution.stop_reason = reason;
     return solution;

@@ -8,9 +8,11 @@
 #include <optional>
 #include <unordered_map>
 
+#include "algorithms/exact/cut_proof.h"
 #include "algorithms/exact/division/crossing_candidates.h"
 #include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/faces/face_walk.h"
+#include "algorithms/exact/faces/walk_diagonals.h"
 #include "algorithms/exact/holes/local_region.h"
 #include "algorithms/exact/holes/region_triangles.h"
 #include "algorithms/proof/cover_duals.h"
@@ -24,7 +26,6 @@ namespace mwt {
 namespace {
 
 using Place = std::uint32_t;
-using Diagonals = std::vector<std::array<Place, 2>>;
 
 constexpr std::size_t kBlock = 4096;            // vertices per task
 constexpr std::size_t kLongWalk = 64;           // longer walks are collected one after the other
@@ -39,30 +40,6 @@ struct Part {
   std::vector<Walk> composite_walks;
   std::vector<Index> isolated;
 };
-
-// Where each candidate of a walk's corners leads in the walk; nothing if some lead elsewhere: the face is no polygon.
-std::optional<Diagonals> find_diagonals(const CandidateGraph& graph, const Walk& walk) {
-  std::vector<std::pair<Index, Place>> places;
-  std::size_t halfedges = 0;
-  for (Place p = 0; p < walk.size(); ++p) {
-    places.emplace_back(walk[p].vertex, p);
-    halfedges += walk[p].candidates;
-  }
-  std::sort(places.begin(), places.end());
-  Diagonals diagonals;
-  for (Place p = 0; p < walk.size(); ++p) {
-    const std::size_t before = diagonals.size();
-    for (std::uint32_t i = 0; i < walk[p].candidates; ++i) {
-      const Index target = candidate_of(graph, walk[p], i);
-      auto it = std::lower_bound(places.begin(), places.end(), std::pair(target, p + 1));
-      while (it != places.end() && it->first == target && !leads_to(graph, walk[it->second], walk[p].vertex)) ++it;
-      if (it != places.end() && it->first == target) diagonals.push_back({p, it->second});
-    }
-    std::sort(diagonals.begin() + static_cast<std::ptrdiff_t>(before), diagonals.end());
-  }
-  if (2 * diagonals.size() != halfedges) return {};
-  return diagonals;
-}
 
 class FaceProof {
  public:
@@ -107,8 +84,8 @@ class FaceProof {
   void note_walk(const Walk& walk, Part& part) {
     const bool has_candidates = std::any_of(walk.begin(), walk.end(), [](const Corner& c) { return c.candidates > 0; });
     if (!has_candidates && walk.size() == 3) return;
-    if (walk.size() > kLongWalk && context_.deadline_passed()) return;
-    const auto diagonals = find_diagonals(graph_, walk);
+    if (walk.size() > kLongWalk && has_passed(context_.deadline)) return;  // no more than what takes no time
+    const auto diagonals = diagonals_of_walk(graph_, walk);
     if (!diagonals) return part.composite_walks.push_back(walk);
     std::vector<Index> corners;
     for (const Corner& corner : walk) corners.push_back(corner.vertex);
@@ -191,13 +168,15 @@ class FaceProof {
   // Nothing if there are too many triangles or the deadline has passed.
   [[nodiscard]] std::optional<DualRegion> note_region(const FaceRegion& region) const {
     const LocalRegion local = make_local(graph_.points, region);
-    const auto triangles = region_triangles(local.points, local.sides, kMaxTriangles, context_.deadline);
-    if (!triangles) return {};
     DualRegion result = outline(local);
-    const std::vector<Triangle> start = known_among(local, *triangles);
-    const TriangleCoverProblem problem{local.points,      *triangles, local.boundary, region.triangle_count(),
-                                       context_.deadline, start};
-    add_cover_duals(result, problem);
+    if (region.components != 2 || !add_cut_duals(result, local)) {
+      const auto triangles = region_triangles(local.points, local.sides, kMaxTriangles, context_.deadline);
+      if (!triangles) return {};
+      const std::vector<Triangle> start = known_among(local, *triangles);
+      const TriangleCoverProblem problem{local.points,      *triangles, local.boundary, region.triangle_count(),
+                                         context_.deadline, start};
+      add_cover_duals(result, problem);
+    }
     for (Index& place : result.places) place = local.vertices[place];
     return result;
   }

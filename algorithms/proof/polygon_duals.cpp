@@ -40,13 +40,14 @@ std::vector<std::array<std::uint32_t, 2>> diagonals_of_convex_polygon(Points poi
 }
 
 DualRegion PolygonDuals::solve(Points points, std::span<const Index> corners,
-                               std::span<const std::array<std::uint32_t, 2>> diagonals) {
+                               std::span<const std::array<std::uint32_t, 2>> diagonals,
+                               std::optional<int> unit_exponent) {
   diagonals_ = diagonals;
   measure(points, corners);
   lay_out_cells(corners.size());
   DualRegion region;
-  int exponent = 0;
-  const std::int64_t optimum = run_in_good_unit(exponent);
+  int exponent = unit_exponent.value_or(0);
+  const std::int64_t optimum = unit_exponent ? run(exponent) : run_in_good_unit(exponent);
   region.unit_exponent = exponent;
   region.places.assign(corners.begin(), corners.end());
   region.walk_sizes = {static_cast<std::uint32_t>(corners.size())};
@@ -54,7 +55,7 @@ DualRegion PolygonDuals::solve(Points points, std::span<const Index> corners,
   DualNode& leaf = region.tree.emplace_back();
   leaf.side_duals.assign(corners.size(), 0);
   leaf.edge_duals.assign(diagonals.size(), 0);
-  if (optimum == kNever) return region;
+  if (optimum == kNever && !unit_exponent) return region;
   leaf.side_duals.back() = optimum;
   for (std::size_t i = 0; i < diagonals.size(); ++i) leaf.edge_duals[i] = -dual_[i];
   region.lower_bound = std::max(0.0, next_down(std::ldexp(static_cast<double>(optimum), region.unit_exponent)));

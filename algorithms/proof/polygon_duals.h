@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,9 +28,13 @@ class PolygonDuals {
   /// of a diagonal from its later to its earlier end gets what the polygon on that side costs at least, with half the
   /// diagonal, and the other side the negative of that; the last side of the polygon gets the optimum.
   ///
+  /// With a unit given, that is taken, and what costs 2^58 units or more, or has no triangulation, is proved to cost at
+  /// least 2^58 units.
+  ///
   /// Time as the program itself: the sum over the diagonals of the diagonals at one of their ends.
   [[nodiscard]] DualRegion solve(Points points, std::span<const Index> corners,
-                                 std::span<const std::array<std::uint32_t, 2>> diagonals);
+                                 std::span<const std::array<std::uint32_t, 2>> diagonals,
+                                 std::optional<int> unit_exponent = {});
 
  private:
   using Position = std::uint32_t;
