@@ -22,7 +22,7 @@
 namespace mwt {
 
 /// The algorithm does not take this instance (too many points, not in convex position, ...). Not a failure: the
-/// message says what it would take.
+/// message states what it takes.
 class NotApplicable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -93,7 +93,7 @@ enum class Exactness { heuristic, exact };
 struct AlgorithmInfo {
   std::string name;
   std::string summary;    ///< one line
-  std::string source;     ///< citation, or the report's section
+  std::string source;     ///< citation, or the source report's section
   std::string guarantee;  ///< the proven bound on alpha, with its source, or "none known"
   std::string time;       ///< e.g. "O(n log n)"
   std::string space;

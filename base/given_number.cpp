@@ -1,5 +1,7 @@
 #include "base/given_number.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -50,7 +52,7 @@ std::string mistake_in(std::string_view text, NumberRange<Number> range) {
   return is_below ? "is below " + text_of(range.least) : "is above " + text_of(range.most);
 }
 
-// "; give a whole number from 1 to 8". All numbers of a type need no ends, and "is not a number" says it already.
+// "; give a whole number from 1 to 8". Without limits it has no ends, and is empty if `mistake` has named the kind.
 template <class Number>
 std::string remedy_for(const std::string& mistake, NumberRange<Number> range) {
   using Limits = std::numeric_limits<Number>;
@@ -58,7 +60,7 @@ std::string remedy_for(const std::string& mistake, NumberRange<Number> range) {
   const bool is_limited =
       std::unsigned_integral<Number> || range.least != Limits::lowest() || range.most != Limits::max();
   if (!is_limited) return mistake.ends_with(kind) ? "" : "; give " + kind;
-  return "; give " + kind + " from " + text_of(range.least) + " to " + text_of(range.most);
+  return fmt::format("; give {} from {} to {}", kind, text_of(range.least), text_of(range.most));
 }
 
 }  // namespace

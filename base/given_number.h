@@ -15,8 +15,8 @@ struct NumberRange {
 
 /// The number that `text` is: decimal, nothing before or after it, within the range. For double, int, the 32-bit index,
 /// and the signed and unsigned 64-bit integers; NaN and infinity are in no range.
-/// Throws InputError "PLACE is not a whole number; give one from 1 to 8": `place` says where the text stands and shows
-/// it, as in "--threads 'two'".
+/// Throws InputError "PLACE is not a whole number; give one from 1 to 8": `place` names the place of the text and
+/// shows it, as in "--threads 'two'".
 template <class Number>
 [[nodiscard]] Number given_number(const std::string& place, std::string_view text, NumberRange<Number> range);
 

@@ -23,7 +23,7 @@ std::optional<double> parse_number(std::string_view text) {
   double value = 0;
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc::invalid_argument || stop != end) return std::nullopt;
-  // Beyond the doubles std::from_chars leaves value alone; std::strtod tells overflow (infinite) from underflow (tiny).
+  // Beyond the doubles std::from_chars leaves value alone; std::strtod returns infinity or a tiny number.
   if (error == std::errc::result_out_of_range) return std::strtod(std::string(text).c_str(), nullptr);
   return value;
 }
@@ -53,19 +53,6 @@ std::string number_text(double value) {
   std::string text;
   append_number(text, value);
   return text;
-}
-
-void append_fixed(std::string& text, double value, int decimals) {
-  std::array<char, 64> buffer;
-  const auto result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-  text.append(buffer.data(), result.ptr);
-}
-
-void append_integer(std::string& text, unsigned long long value) {
-  std::array<char, 24> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  text.append(buffer.data(), result.ptr);
 }
 
 }  // namespace mwt

@@ -7,8 +7,8 @@
 
 namespace mwt {
 
-/// The double nearest to a decimal number such as -1, +.5 or 1.11630e+03; infinite if it is beyond the largest double
-/// or if the text says so, NaN if the text says so; nothing unless the whole text is one number.
+/// The double nearest to a decimal number such as -1, +.5 or 1.11630e+03; infinite if it is beyond the largest double;
+/// `inf` and `nan` are numbers, too. Nothing unless the whole text is one number.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// A decimal whole number within the range of `Whole`: leading zeros mean nothing, one plus sign may stand in front;
@@ -19,11 +19,5 @@ template <class Whole>
 /// Appends the shortest decimal number that reads back as exactly `value`.
 void append_number(std::string& text, double value);
 [[nodiscard]] std::string number_text(double value);
-
-/// Appends `value` rounded to `decimals` places, for pictures. Precondition: |value| < 1e15, decimals <= 9.
-void append_fixed(std::string& text, double value, int decimals);
-
-/// Appends an integer.
-void append_integer(std::string& text, unsigned long long value);
 
 }  // namespace mwt

@@ -57,15 +57,5 @@ TEST(NumberText, WritesTheShortestText) {
   EXPECT_EQ(number_text(-std::numeric_limits<double>::max()), "-1.7976931348623157e+308");
 }
 
-TEST(NumberText, FixedPlacesAndIntegers) {
-  std::string text;
-  append_fixed(text, 1.005, 1);
-  text += ' ';
-  append_fixed(text, -2, 2);
-  text += ' ';
-  append_integer(text, 18446744073709551615ULL);
-  EXPECT_EQ(text, "1.0 -2.00 18446744073709551615");
-}
-
 }  // namespace
 }  // namespace mwt

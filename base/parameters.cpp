@@ -1,5 +1,7 @@
 #include "base/parameters.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -37,7 +39,7 @@ std::string normalised(const ParameterInfo& info, const std::string& place, cons
 }
 
 std::string valid_value(const std::string& owner, const ParameterInfo& info, const std::string& value) {
-  const std::string place = owner + ": parameter " + info.name + "=" + value;
+  const std::string place = fmt::format("{}: parameter {}={}", owner, info.name, value);
   const bool offered = std::find(info.choices.begin(), info.choices.end(), value) != info.choices.end();
   if (info.type == ParameterType::choice && !offered) {
     throw InputError(place + " is not one of " + joined(info.choices));
@@ -61,8 +63,8 @@ Parameters::Parameters(const std::string& owner, const std::vector<ParameterInfo
     const auto info =
         std::find_if(declared.begin(), declared.end(), [&name = name](const auto& i) { return i.name == name; });
     if (info == declared.end()) {
-      throw InputError(owner + ": unknown parameter '" + name + "'; " +
-                       (names.empty() ? "it has none" : "it has " + joined(names)));
+      throw InputError(fmt::format("{}: unknown parameter '{}'; {}", owner, name,
+                                   names.empty() ? "it has none" : "it has " + joined(names)));
     }
     values_[name] = valid_value(owner, *info, value);
   }
@@ -83,9 +85,9 @@ const std::string& Parameters::value_of(const std::string& name) const {
   if (entry != values_.end()) return entry->second;
   std::vector<std::string> declared;
   for (const auto& [known, value] : values_) declared.push_back(known);
-  throw std::out_of_range("the code of '" + owner_ + "' reads a parameter '" + name +
-                          "' that its entry does not declare; it declares " +
-                          (declared.empty() ? "none" : joined(declared)));
+  throw std::out_of_range(
+      fmt::format("the code of '{}' reads a parameter '{}' that its entry does not declare; it declares {}", owner_,
+                  name, declared.empty() ? "none" : joined(declared)));
 }
 
 std::string Parameters::canonical() const {
@@ -99,13 +101,7 @@ std::string Parameters::canonical() const {
 
 namespace {
 
-void append_escaped(std::string& text, char c) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  const auto byte = static_cast<unsigned char>(c);
-  text += '%';
-  text += kDigits[byte >> 4];
-  text += kDigits[byte & 15];
-}
+std::string escaped(char c) { return fmt::format("%{:02X}", static_cast<unsigned char>(c)); }
 
 std::string unescaped(std::string_view text) {
   std::string value;
@@ -128,7 +124,7 @@ std::string canonical_parameter(const std::string& name, const std::string& valu
     const std::optional<Character> character = first_character(std::string_view(value).substr(i));
     const bool is_special = static_cast<unsigned char>(value[i]) <= ' ' || value[i] == '\x7f' || value[i] == '%';
     if (!character || is_special) {
-      append_escaped(text, value[i++]);
+      text += escaped(value[i++]);
     } else {
       text.append(value, i, character->size);
       i += character->size;

@@ -31,7 +31,7 @@ class Parameters {
   Parameters(const std::string& owner, const std::vector<ParameterInfo>& declared,
              const std::map<std::string, std::string>& given);
 
-  /// Values by name. Asking for an undeclared name is a mistake in the owner's code: std::out_of_range says so.
+  /// Values by name. Throws std::out_of_range for an undeclared name, which is a mistake in the owner's code.
   [[nodiscard]] std::int64_t integer(const std::string& name) const;
   [[nodiscard]] double real(const std::string& name) const;
   [[nodiscard]] const std::string& text(const std::string& name) const;

@@ -1,8 +1,9 @@
 #include "base/unicode.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 namespace mwt {
 
@@ -83,10 +84,6 @@ bool is_letter(char32_t code_point) {
   });
 }
 
-std::string code_point_name(char32_t code_point) {
-  std::array<char, 16> buffer;
-  const int size = std::snprintf(buffer.data(), buffer.size(), "U+%04X", static_cast<unsigned>(code_point));
-  return {buffer.data(), static_cast<std::size_t>(size)};
-}
+std::string code_point_name(char32_t code_point) { return fmt::format("U+{:04X}", static_cast<unsigned>(code_point)); }
 
 }  // namespace mwt

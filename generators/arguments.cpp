@@ -1,5 +1,7 @@
 #include "generators/arguments.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -22,8 +24,8 @@ template <class Number>
 Number require_within(const std::string& family, const Parameters& parameters, const std::string& name, Number value,
                       Number lowest, Number highest) {
   if (value >= lowest && value <= highest) return value;
-  throw InputError(family + ": parameter " + name + "=" + parameters.text(name) + " is not between " + to_text(lowest) +
-                   " and " + to_text(highest));
+  throw InputError(fmt::format("{}: parameter {}={} is not between {} and {}", family, name, parameters.text(name),
+                               to_text(lowest), to_text(highest)));
 }
 
 }  // namespace
@@ -31,8 +33,7 @@ Number require_within(const std::string& family, const Parameters& parameters, c
 void require_size(const std::string& family, Index n, std::uint64_t smallest, std::uint64_t largest) {
   const std::uint64_t nearest = std::clamp<std::uint64_t>(n, smallest, largest);
   if (nearest == n) return;
-  throw InputError(family + ": has no instance of n=" + std::to_string(n) + " points; the nearest legal n is " +
-                   std::to_string(nearest));
+  throw InputError(fmt::format("{}: has no instance of n={} points; the nearest legal n is {}", family, n, nearest));
 }
 
 double real_within(const std::string& family, const Parameters& parameters, const std::string& name, double lowest,

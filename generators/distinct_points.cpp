@@ -1,5 +1,7 @@
 #include "generators/distinct_points.h"
 
+#include <fmt/core.h>
+
 #include <bit>
 
 #include "base/error.h"
@@ -32,9 +34,10 @@ DrawingBudget::DrawingBudget(std::string family, Index n)
 
 void DrawingBudget::spend_one(Index found) {
   if (left_-- > 0) return;
-  throw InputError(family_ + ": with these parameters doubles carry no n=" + std::to_string(n_) +
-                   " distinct points off one line; the search ended at " + std::to_string(found) +
-                   ": choose a smaller n or spread the points wider");
+  throw InputError(
+      fmt::format("{}: with these parameters doubles carry no n={} distinct points off one line; the search ended at "
+                  "{}: choose a smaller n or spread the points wider",
+                  family_, n_, found));
 }
 
 }  // namespace mwt

@@ -1,5 +1,7 @@
 #include "generators/generation.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -14,8 +16,8 @@ namespace mwt {
 namespace {
 
 [[noreturn]] void fail(const GeneratorInfo& family, Index n, std::uint64_t seed, const std::string& what) {
-  throw GeneratorFailure("generator " + family.name + ": " + what + " for n=" + std::to_string(n) +
-                         " seed=" + std::to_string(seed) + "; its function is wrong");
+  throw GeneratorFailure(
+      fmt::format("generator {}: {} for n={} seed={}; its function is wrong", family.name, what, n, seed));
 }
 
 bool is_finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -45,7 +47,7 @@ std::vector<Point> generate_verified(const GeneratorInfo& family, Index n, std::
   const Index largest = family.max_n == 0 ? kMaxPoints : family.max_n;
   require_size(family.name, n, family.min_n, largest);
   std::vector<Point> points = call(family, n, seed, parameters);
-  if (points.size() != n) fail(family, n, seed, "returned " + std::to_string(points.size()) + " points");
+  if (points.size() != n) fail(family, n, seed, fmt::format("returned {} points", points.size()));
   if (!std::all_of(points.begin(), points.end(), is_finite))
     fail(family, n, seed, "returned points that are not finite");
   if (!family.repeats_points && has_equal_points(points)) fail(family, n, seed, "returned equal points");

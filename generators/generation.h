@@ -16,8 +16,8 @@ class GeneratorFailure : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// The points of a family: exactly n, finite, and distinct unless the entry says otherwise. Throws InputError naming
-/// the nearest legal n outside the family's range, and as the family's function; GeneratorFailure otherwise;
+/// The points of a family: exactly n, finite, and distinct unless the entry sets `repeats_points`. Throws InputError
+/// naming the nearest legal n outside the family's range, and as the family's function; GeneratorFailure otherwise;
 /// std::bad_alloc. O(n log n) beyond the function.
 [[nodiscard]] std::vector<Point> generate_verified(const GeneratorInfo& family, Index n, std::uint64_t seed,
                                                    const Parameters& parameters);

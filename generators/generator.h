@@ -11,11 +11,11 @@
 
 namespace mwt {
 
-/// Exactly n points, distinct unless the family says otherwise; the same on every platform for the same arguments.
-/// Throws InputError naming the nearest legal n if the family has no instance of n points.
+/// Exactly n points, distinct unless the entry sets `repeats_points`; the same on every platform for the same
+/// arguments. Throws InputError naming the nearest legal n if the family has no instance of n points.
 using GeneratorFunction = std::vector<Point> (*)(Index n, std::uint64_t seed, const Parameters& parameters);
 
-/// What a family's entry says about alpha of one algorithm on it, as data that a study can confirm or refute.
+/// What a family's entry states about alpha of one algorithm on it, as data that a study can confirm or refute.
 struct GrowthLaw {
   enum class Kind {
     power,  ///< alpha grows like n^e: lowest <= e <= highest, the slope of log alpha over log n
@@ -28,7 +28,7 @@ struct GrowthLaw {
   Kind kind = Kind::power;
   double lowest = 0;
   double highest = 0;
-  Index min_n = 3;  ///< the law speaks of min_n <= n <= max_n
+  Index min_n = 3;  ///< the law holds for min_n <= n <= max_n
   Index max_n = 0;
 };
 
@@ -37,7 +37,7 @@ struct GeneratorInfo {
   std::string name;
   std::string summary;   ///< one line
   std::string source;    ///< where the idea comes from
-  std::string stresses;  ///< which claim or algorithm it is aimed at
+  std::string stresses;  ///< which claim or algorithm it is made for
   std::string law;       ///< known optimum or growth law of alpha, or "none known"; for people
   Index min_n = 3;
   Index max_n = 0;              ///< largest n that double precision carries

@@ -2,10 +2,12 @@
 
 #include "base/error.h"
 #include "generators/annulus/annulus.h"
+#include "generators/cad_plate/cad_plate.h"
 #include "generators/circle/circle.h"
 #include "generators/cluster_in_triangle/cluster_in_triangle.h"
 #include "generators/clustered/clustered.h"
 #include "generators/collinear_rows/collinear_rows.h"
+#include "generators/contours/contours.h"
 #include "generators/convex_position/convex_position.h"
 #include "generators/delaunay_arc/delaunay_arc.h"
 #include "generators/delaunay_flip_stuck/delaunay_flip_stuck.h"
@@ -51,6 +53,8 @@ std::span<const GeneratorInfo> generators() {
       log_radial_entry(),
       roads_entry(),
       spiral_entry(),
+      contours_entry(),
+      cad_plate_entry(),
       grid_entry(),
       jittered_grid_entry(),
       lattice_entry(),

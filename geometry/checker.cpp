@@ -1,7 +1,8 @@
 #include "geometry/checker.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <sstream>
 
 #include "geometry/convex_hull.h"
 #include "geometry/predicates.h"
@@ -13,25 +14,15 @@ namespace {
 
 using Result = std::optional<Violation>;
 
-template <class... Parts>
-Violation violation(TriangulationRule rule, const Parts&... parts) {
-  std::ostringstream message;
-  message << name_of(rule) << ": ";
-  (message << ... << parts);
-  return {rule, message.str()};
+Violation violation(TriangulationRule rule, const std::string& what) {
+  return {rule, fmt::format("{}: {}", name_of(rule), what)};
 }
 
 std::string show(const Triangle& triangle) {
-  std::ostringstream text;
-  text << '(' << triangle[0] << ", " << triangle[1] << ", " << triangle[2] << ')';
-  return text.str();
+  return fmt::format("({}, {}, {})", triangle[0], triangle[1], triangle[2]);
 }
 
-std::string show_side(Index from, Index to) {
-  std::ostringstream text;
-  text << from << " -> " << to;
-  return text.str();
-}
+std::string show_side(Index from, Index to) { return fmt::format("{} -> {}", from, to); }
 
 std::string show_side(Index smaller_end, const TriangleSide& side) {
   return side.is_ascending ? show_side(smaller_end, side.other_end) : show_side(side.other_end, smaller_end);
@@ -39,14 +30,16 @@ std::string show_side(Index smaller_end, const TriangleSide& side) {
 
 Result check_indices(Points points, const Triangulation& triangulation) {
   if (triangulation.point_count != points.size()) {
-    return violation(TriangulationRule::point_count_matches, "triangulation of ", triangulation.point_count,
-                     " points for an instance of ", points.size());
+    return violation(
+        TriangulationRule::point_count_matches,
+        fmt::format("triangulation of {} points for an instance of {}", triangulation.point_count, points.size()));
   }
   for (std::size_t t = 0; t < triangulation.triangles.size(); ++t) {
     for (const Index corner : triangulation.triangles[t]) {
       if (corner >= points.size()) {
-        return violation(TriangulationRule::indices_in_range, "triangle ", t, ' ', show(triangulation.triangles[t]),
-                         " has corner ", corner, ", but points go from 0 to ", points.size() - 1);
+        return violation(TriangulationRule::indices_in_range,
+                         fmt::format("triangle {} {} has corner {}, but points go from 0 to {}", t,
+                                     show(triangulation.triangles[t]), corner, points.size() - 1));
       }
     }
   }
@@ -58,8 +51,9 @@ Result check_orientations(Points points, const Triangulation& triangulation) {
     const auto [a, b, c] = triangulation.triangles[t];
     const int turn = orientation(points[a], points[b], points[c]);
     if (turn <= 0) {
-      return violation(TriangulationRule::strictly_counter_clockwise, "triangle ", t, ' ',
-                       show(triangulation.triangles[t]), turn == 0 ? " is flat" : " turns clockwise");
+      return violation(TriangulationRule::strictly_counter_clockwise,
+                       fmt::format("triangle {} {}{}", t, show(triangulation.triangles[t]),
+                                   turn == 0 ? " is flat" : " turns clockwise"));
     }
   }
   return {};
@@ -70,8 +64,9 @@ Result check_doubled_sides(Index point_count, const TriangleSides& sides) {
     const auto row = sides.row(v);
     for (std::size_t i = 0; i + 1 < row.size(); ++i) {
       if (row[i].other_end == row[i + 1].other_end && row[i].is_ascending == row[i + 1].is_ascending) {
-        return violation(TriangulationRule::directed_edge_once, "triangles ", row[i].triangle, " and ",
-                         row[i + 1].triangle, " both lie left of edge ", show_side(v, row[i]));
+        return violation(TriangulationRule::directed_edge_once,
+                         fmt::format("triangles {} and {} both lie left of edge {}", row[i].triangle,
+                                     row[i + 1].triangle, show_side(v, row[i])));
       }
     }
   }
@@ -106,15 +101,16 @@ Result check_boundary(Index point_count, const TriangleSides& sides, const std::
       if (!is_unpaired(row, i)) continue;
       const bool on_hull = row[i].is_ascending ? next[v] == row[i].other_end : next[row[i].other_end] == v;
       if (!on_hull) {
-        return violation(TriangulationRule::boundary_is_hull, "nothing lies right of edge ", show_side(v, row[i]),
-                         " of triangle ", row[i].triangle, ", which is not on the hull");
+        return violation(TriangulationRule::boundary_is_hull,
+                         fmt::format("nothing lies right of edge {} of triangle {}, which is not on the hull",
+                                     show_side(v, row[i]), row[i].triangle));
       }
     }
   }
   for (const Index v : hull) {
     if (!has_side(sides, v, next[v])) {
-      return violation(TriangulationRule::hull_is_boundary, "hull edge ", show_side(v, next[v]),
-                       " belongs to no triangle");
+      return violation(TriangulationRule::hull_is_boundary,
+                       fmt::format("hull edge {} belongs to no triangle", show_side(v, next[v])));
     }
   }
   return {};
@@ -128,12 +124,14 @@ Result check_counts(const Triangulation& triangulation, std::size_t hull_size) {
   const std::size_t wanted = 2 * std::size_t{triangulation.point_count} - 2 - hull_size;
   const auto unused = std::find(used.begin(), used.end(), false);
   if (unused != used.end()) {
-    return violation(TriangulationRule::every_point_used, "point ", unused - used.begin(), " is no corner; ",
-                     triangulation.triangles.size(), " triangles, expected ", wanted);
+    return violation(TriangulationRule::every_point_used,
+                     fmt::format("point {} is no corner; {} triangles, expected {}", unused - used.begin(),
+                                 triangulation.triangles.size(), wanted));
   }
   if (triangulation.triangles.size() != wanted) {
-    return violation(TriangulationRule::triangle_count, triangulation.triangles.size(), " triangles, expected ", wanted,
-                     " = 2 * ", triangulation.point_count, " - 2 - ", hull_size);
+    return violation(TriangulationRule::triangle_count,
+                     fmt::format("{} triangles, expected {} = 2 * {} - 2 - {}", triangulation.triangles.size(), wanted,
+                                 triangulation.point_count, hull_size));
   }
   return {};
 }

@@ -12,7 +12,7 @@ namespace mwt {
 /// The rules a triangulation can break. All are examined in this order, but the last two the other way round: an unused
 /// point explains a wrong count.
 enum class TriangulationRule {
-  point_count_matches,         ///< the triangulation speaks of as many points as there are
+  point_count_matches,         ///< the triangulation is of as many points as there are
   indices_in_range,            ///< every corner is a point
   strictly_counter_clockwise,  ///< every triangle turns left: none is flat, flipped or has a corner twice
   directed_edge_once,          ///< no directed edge belongs to two triangles: none is doubled, none overlaps there

@@ -1,4 +1,4 @@
-// Convex hulls by the report's two methods (section 6.3), collinear boundary points included.
+// Convex hulls by the source report's two methods (section 6.3), collinear boundary points included.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Delaunay triangulations by CGAL: the only door to its triangulation headers.
+// Delaunay triangulations by CGAL: only its source includes CGAL's triangulation headers.
 #pragma once
 
 #include <span>

@@ -27,6 +27,11 @@ using Points = std::span<const Point>;
   return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
+/// By y, then by x.
+[[nodiscard]] inline bool colexicographically_less(const Point& a, const Point& b) {
+  return a.y < b.y || (a.y == b.y && a.x < b.x);
+}
+
 /// Indices 0 .. points.size() - 1 in lexicographic order of their points; equal points by index. O(n log n).
 [[nodiscard]] std::vector<Index> lexicographic_order(Points points);
 

@@ -1,11 +1,13 @@
 #include "geometry/point_set.h"
 
+#include <fmt/core.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -21,11 +23,12 @@ void require_usable_coordinates(const std::vector<Point>& input, const std::stri
   for (std::size_t i = 0; i < input.size(); ++i) {
     const double size = std::max(std::abs(input[i].x), std::abs(input[i].y));
     if (!std::isfinite(input[i].x) || !std::isfinite(input[i].y)) {
-      throw InputError(source + ": point " + std::to_string(i) + " has a coordinate that is not finite");
+      throw InputError(fmt::format("{}: point {} has a coordinate that is not finite", source, i));
     }
     if (size > kMaxCoordinate) {
-      throw InputError(source + ": point " + std::to_string(i) +
-                       " has a coordinate beyond 1e300, where sums of lengths overflow; scale the points down");
+      throw InputError(fmt::format(
+          "{}: point {} has a coordinate beyond 1e300, where sums of lengths overflow; scale the points down", source,
+          i));
     }
   }
 }
@@ -58,8 +61,8 @@ PointSet make_point_set(const std::vector<Point>& input, const std::string& sour
     set.input_indices.push_back(i);
   }
   if (set.points.size() < 3) {
-    throw InputError(source + ": " + std::to_string(set.points.size()) +
-                     " distinct points; a triangulation needs at least 3");
+    throw InputError(
+        fmt::format("{}: {} distinct points; a triangulation needs at least 3", source, set.points.size()));
   }
   if (all_collinear(set.points)) {
     throw InputError(source + ": all points lie on one line; a triangulation needs a point off it");
@@ -79,12 +82,8 @@ std::string instance_id(Points points) {
   if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, EVP_sha256(), nullptr) != 1) {
     throw std::runtime_error("instance_id: SHA-256 is not available");
   }
-  static constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
-  for (int i = 0; i < 16; ++i) {
-    text += kDigits[digest[i] >> 4];
-    text += kDigits[digest[i] & 15];
-  }
+  for (int i = 0; i < 16; ++i) fmt::format_to(std::back_inserter(text), "{:02x}", digest[i]);
   return text;
 }
 

@@ -1,5 +1,7 @@
 #include "geometry/quadtree.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,7 @@ struct IndexedPoint {
 void require_usable(Points points, int capacity) {
   if (points.empty()) throw InputError("quadtree: no points; it needs at least one");
   if (capacity < 1) {
-    throw InputError("quadtree: capacity " + std::to_string(capacity) + "; a leaf must hold at least 1 point");
+    throw InputError(fmt::format("quadtree: capacity {}; a leaf must hold at least 1 point", capacity));
   }
   for (const Point& p : points) {
     const bool usable = std::abs(p.x) <= kMaxCoordinate && std::abs(p.y) <= kMaxCoordinate;

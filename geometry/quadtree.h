@@ -1,4 +1,4 @@
-// The bare quadtree of the report (sections 5.4 and 6.5): a square split in four until cells hold few points.
+// The bare quadtree of the source report (sections 5.4 and 6.5): a square split in four until cells hold few points.
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,7 @@ class LengthSum {
 /// Precondition: the triangulation's indices are in range of `points`.
 [[nodiscard]] Interval weight(Points points, const Triangulation& triangulation);
 
-/// The report's other objective: the sum of the triangles' perimeters (= 2 weight - length of the hull). O(n).
+/// The source report's other objective: the sum of the triangles' perimeters (= 2 weight - length of the hull). O(n).
 [[nodiscard]] Interval perimeter_sum(Points points, const Triangulation& triangulation);
 
 /// Length of the closed polygon through `cycle`.

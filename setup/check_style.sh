@@ -36,7 +36,7 @@ mapfile -t algorithms < <(code_of algorithms)
 forbid '#include "generators/' 'algorithms and generators do not include each other' "${algorithms[@]}"
 require_order harness/ io statistics run rating records study claims report tracking hunt benchmark cli
 mapfile -t headers < <(find "${layers[@]}" -name '*.h')
-forbid '#include <(CGAL|Eigen|CLI|nlohmann|toml|boost/math|benchmark|glpk|sqlite3|SQLiteCpp)' 'heavy headers belong in few .cpp files' "${headers[@]}"
+forbid '#include <(CGAL|Eigen|CLI|fmt|nlohmann|toml|boost/math|benchmark|glpk|sqlite3|SQLiteCpp)' 'heavy headers belong in few .cpp files' "${headers[@]}"
 forbid_loose=$(find harness -maxdepth 1 -type f)
 [ -z "$forbid_loose" ] || { echo "style: harness/ has no files of its own, only rooms: $forbid_loose" >&2; failed=yes; }
 

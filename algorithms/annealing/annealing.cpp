@@ -1,5 +1,7 @@
 #include "algorithms/annealing/annealing.h"
 
+#include <fmt/core.h>
+
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_01.hpp>
 #include <boost/random/uniform_int_distribution.hpp>
@@ -34,7 +36,7 @@ double change_by_flip(const PlanarMesh& mesh, MeshEdge e) {
 AnnealingOptions options_of(const Parameters& parameters, const PlanarMesh& mesh, std::uint64_t seed) {
   const std::int64_t proposals = parameters.integer("proposals");
   const double initial = parameters.real("initial_temperature"), final = parameters.real("final_temperature");
-  if (proposals < 0) throw InputError("annealing: proposals=" + std::to_string(proposals) + " is negative");
+  if (proposals < 0) throw InputError(fmt::format("annealing: proposals={} is negative", proposals));
   if (!(final > 0 && initial >= final)) {
     throw InputError("annealing: temperatures must satisfy 0 < final_temperature <= initial_temperature");
   }

@@ -1,5 +1,7 @@
 #include "algorithms/brute_force/brute_force.h"
 
+#include <fmt/core.h>
+
 #include <bitset>
 #include <string>
 
@@ -171,13 +173,12 @@ class Enumeration {
 Solution solve(Points points, Context& context) {
   const std::int64_t limit = context.parameters.integer("max_points");
   if (limit < 3 || limit > std::int64_t{kBruteForceMaxN}) {
-    throw InputError("brute_force: parameter max_points=" + std::to_string(limit) + " is not between 3 and " +
-                     std::to_string(kBruteForceMaxN));
+    throw InputError(
+        fmt::format("brute_force: parameter max_points={} is not between 3 and {}", limit, kBruteForceMaxN));
   }
   if (std::ssize(points) > limit) {
-    throw NotApplicable("brute_force: " + std::to_string(points.size()) + " points; it takes at most " +
-                        std::to_string(limit) + " (parameter max_points, up to " + std::to_string(kBruteForceMaxN) +
-                        ")");
+    throw NotApplicable(fmt::format("brute_force: {} points; it takes at most {} (parameter max_points, up to {})",
+                                    points.size(), limit, kBruteForceMaxN));
   }
   BruteForceResult result = [&] {
     const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));

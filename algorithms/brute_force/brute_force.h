@@ -1,4 +1,4 @@
-// The report's exact algorithm: all triangulations, one after the other; keep the lightest.
+// The source report's exact algorithm: all triangulations, one after the other; keep the lightest.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ struct BruteForceResult {
   bool complete = false;    ///< all of them were
 };
 
-/// Section 4 of the report: (1) generate all triangulations, (2) weigh each, (3) select the lightest.
+/// Section 4 of the source report: (1) generate all triangulations, (2) weigh each, (3) select the lightest.
 ///
 /// Each triangulation is generated exactly once: grow a triangulated region from the hull inwards; of all directed
 /// edges that still lack the triangle on their left, take the first in a fixed order and try every triangle that fits

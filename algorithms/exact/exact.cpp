@@ -13,15 +13,17 @@
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/exact/candidates/certain_edges.h"
 #include "algorithms/exact/candidates/diamond_candidates.h"
-#include "algorithms/exact/candidates/far_edges.h"
 #include "algorithms/exact/candidates/kd_order.h"
 #include "algorithms/exact/candidates/lmt_skeleton.h"
+#include "algorithms/exact/division/certain_division.h"
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
+#include "algorithms/two_chains/two_chains.h"
 #include "geometry/convex_hull.h"
+#include "geometry/numbers/interval.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -44,7 +46,7 @@ class ExactSolver {
     const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
     try {
       std::optional<CandidateGraph> graph = candidates();
-      if (!graph) return convex_solution();
+      if (!graph) return convex_polygon_.empty() ? corridor_solution() : convex_solution();
       const ScopedPhase phase(context_, "faces");
       const FaceSolution faces = solve_faces(*std::move(graph), context_);
       count(faces);
@@ -56,7 +58,22 @@ class ExactSolver {
     }
   }
 
-  // Nothing for points in convex position: these are then convex_polygon_.
+  // Nearly all pairs of points of two facing chains are candidates, but programs over the chains need none of them.
+  [[nodiscard]] bool is_corridor() const {
+    constexpr std::size_t kMinCorridor = 1000;
+    return points_.size() >= kMinCorridor && find_chain_pair(points_, context_.deadline);
+  }
+
+  Solution corridor_solution() {
+    report_stage("corridor", 0);
+    Solution solution = two_chains_entry().function(points_, context_);
+    counters_ = std::move(solution.counters);
+    if (solution.optimum->relative_width() > kProvedRelativeWidth && !solution.stop_reason)
+      solution.stop_reason = StopReason::precision;
+    return solution;
+  }
+
+  // Nothing for points in convex position, which are then convex_polygon_, and for two facing chains.
   std::optional<CandidateGraph> candidates() {
     report_stage("k-d order", 0);
     {
@@ -74,33 +91,47 @@ class ExactSolver {
         for (const Index p : hull) convex_polygon_.push_back(order_.original[p]);
         return {};
       }
+      if (hull.size() == 4 && is_corridor()) return {};
       hull_edges.next.assign(points_.size(), kNoIndex);
       for (std::size_t i = 0; i < hull.size(); ++i) hull_edges.next[hull[i]] = hull[(i + 1) % hull.size()];
       blocks = test.find_candidates(context_);
     }
     count_edges("edges_after_diamond_test", blocks);
     report_stage("LMT-skeleton", 0.4);
-    return candidates_of(skeleton_of(hull_edges, std::move(blocks)));
+    LmtSkeleton skeleton = skeleton_of(hull_edges, std::move(blocks));
+    CandidateGraph graph = candidates_of(skeleton);
+    if (!is_connected(graph)) divide(hull_edges, skeleton, graph);
+    count(graph);
+    return graph;
+  }
+
+  void divide(const HullEdges& hull_edges, LmtSkeleton& skeleton, CandidateGraph& graph) {
+    report_stage("beta-skeleton", 0.85);
+    const ScopedPhase phase(context_, "beta_skeleton");
+    const std::size_t crossing = delete_what_crosses_beta_skeleton(graph, hull_edges, skeleton.stars, context_);
+    if (crossing > 0) graph = mark_certain_edges(order_.points, skeleton.stars, context_);
+    counters_["edges_across_beta_skeleton"] = static_cast<double>(crossing);
   }
 
   LmtSkeleton skeleton_of(const HullEdges& hull_edges, CandidateBlocks blocks) {
     const ScopedPhase phase(context_, "lmt");
     LmtSkeleton skeleton = find_lmt_skeleton(order_, hull_edges, std::move(blocks), context_);
     counters_["lmt_checks"] = static_cast<double>(skeleton.counters.checks);
-    counters_["far_edges_deleted"] = static_cast<double>(delete_far_edges(order_.points, skeleton.stars));
     return skeleton;
   }
 
   CandidateGraph candidates_of(const LmtSkeleton& skeleton) {
     report_stage("certain edges", 0.8);
     const ScopedPhase phase(context_, "certain_edges");
-    CandidateGraph graph = mark_certain_edges(order_.points, skeleton.stars, context_);
+    return mark_certain_edges(order_.points, skeleton.stars, context_);
+  }
+
+  void count(const CandidateGraph& graph) {
     std::size_t certain = 0;
     for (const std::uint8_t mark : graph.certain) certain += mark;
     counters_["edges_after_lmt"] = static_cast<double>(graph.target.size() / 2);
     counters_["certain_edges"] = static_cast<double>(certain / 2);
     report_stage("faces", 0.9);
-    return graph;
   }
 
   std::vector<Index> find_hull(const std::vector<Index>& possible) const {
@@ -126,6 +157,7 @@ class ExactSolver {
     counters_["precise_comparisons"] = static_cast<double>(faces.precise_comparisons);
     counters_["undecided_ties"] = static_cast<double>(faces.undecided_ties);
     counters_["faces_with_holes"] = static_cast<double>(faces.faces_with_holes);
+    counters_["reductions"] = static_cast<double>(faces.reductions);
     counters_["linear_programs"] = static_cast<double>(faces.programs);
     counters_["branchings"] = static_cast<double>(faces.branchings);
     counters_["unsolved_faces"] = static_cast<double>(faces.unsolved_faces);

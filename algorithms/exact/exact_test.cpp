@@ -299,6 +299,44 @@ TEST(Exact, ReturnsATriangulationAndBoundsAtTheDeadline) {
   }
 }
 
+// Faces with true holes between curves, which were left open before they were cut open (holes/).
+TEST(Exact, ProvesFacesWithHolesBetweenCurves) {
+  for (const auto& points : {generate("annulus", 1500, 1), generate("contours", 1500, 1), generate("wheel", 400, 1),
+                             generate("cad_plate", 500, 1, {{"holes", "5"}}), generate("roads", 1000, 1)})
+    (void)solve_to_optimality("exact", points);
+}
+
+TEST(Exact, HandsFacingChainsToTwoChains) {
+  const Solution solution = solve_to_optimality("exact", generate("greedy_corridor", 1200, 1));
+  EXPECT_GT(solution.counters.at("first_chain"), 0);
+}
+
+// Wherever the deadline stops it, the interval holds the optimum.
+void interrupt_at_random_moments(int count) {
+  std::mt19937_64 random(5);
+  const std::vector<std::vector<Point>> instances = {
+      generate("annulus", 700, 1),  generate("roads", 500, 1),         generate("wheel", 150, 1),
+      generate("uniform", 2000, 1), generate("spiral", 500, 1),        generate("cad_plate", 300, 1, {{"holes", "4"}}),
+      generate("contours", 800, 1), generate("insertion_trap", 120, 1)};
+  for (const std::vector<Point>& points : instances) {
+    const auto start = Context::Clock::now();
+    const Solution proved = solve_to_optimality("exact", points);
+    const auto whole = Context::Clock::now() - start;
+    for (int i = 0; i < count; ++i) {
+      const auto share =
+          std::chrono::duration_cast<Context::Clock::duration>(whole * (static_cast<double>(random() % 1000) / 800));
+      const Solution stopped = solve_and_check("exact", points, {}, Context::Clock::now() + share);
+      ASSERT_TRUE(stopped.optimum);
+      EXPECT_LE(stopped.optimum->lower, proved.optimum->upper);
+      EXPECT_GE(stopped.optimum->upper, proved.optimum->lower);
+    }
+  }
+}
+
+TEST(Exact, HoldsTheOptimumWhereverItIsStopped) { interrupt_at_random_moments(8); }
+
+TEST(ExactSlow, HoldsTheOptimumWhereverItIsStopped) { interrupt_at_random_moments(130); }
+
 TEST(Exact, ReportsStagesAndCounters) {
   const std::vector<Point> points = generate("uniform", 2000, 1);
   Context context;

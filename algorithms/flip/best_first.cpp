@@ -85,7 +85,7 @@ class BestFirstSearch {
   }
 
  private:
-  // Whether so much was done and taken back that it is cheaper to know all edges now.
+  // Whether so much was done and taken back that it is cheaper to look through all edges now.
   [[nodiscard]] bool reaches_far() const {
     constexpr std::size_t kAlways = 8192, kCostOfTakingBack = 8;
     return known_ < mesh_.edge_count() &&
@@ -104,8 +104,8 @@ class BestFirstSearch {
     }
   }
 
-  // Adds first_ to the search. What is known from the start is sorted, which is cheaper than a heap. What is left when
-  // flips reach far waits for the rest of the edges.
+  // Adds first_ to the search. It is sorted, which is cheaper than a heap. What is left when flips reach far is played
+  // with the rest of the edges.
   void play() {
     std::sort(first_.begin(), first_.end(), std::greater<Candidate>());
     now_ = kBeginning;
@@ -128,7 +128,7 @@ class BestFirstSearch {
   void visit(const Candidate& best) {
     const MeshEdge e = best.second;
     rewind_around(e);
-    // Flips nearby may have changed the quadrilateral; then a newer candidate speaks for it.
+    // Flips nearby may have changed the quadrilateral; then a newer candidate stands for it.
     if (best.first != gain_of(mesh_, e) || !improves(mesh_, e)) return;
     look_early_at_sides(e);
     flip(e);

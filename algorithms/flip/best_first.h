@@ -11,18 +11,18 @@ inline constexpr std::size_t kBestFirstPortion = 8192;
 /// FlipOrder::best of flip_to_local_optimum(): again and again the flip that improves with the largest gain; of equal
 /// gains (in doubles) the one of the larger edge number.
 ///
-/// In that order flips go all over memory. Yet a flip depends on its neighbourhood only: it reads and writes the two
-/// triangles at its edge and reads those beyond its sides, where it may make flips possible. So the search is played
-/// portion by portion of the edges, each portion best-first, and what came too early is taken back:
+/// In that order, flips are scattered over memory. Yet a flip depends on its neighbourhood only: it reads and writes
+/// the two triangles at its edge and reads those beyond its sides, where it may make flips possible. So the search is
+/// played portion by portion of the edges, each portion best-first, and what came too early is taken back:
 ///
 ///   - The *time* of a flip is the smallest (gain, edge) that the search has taken until then, itself included: times
 ///     fall. A *burst* is a flip and those of larger gain that it makes possible; they share a time, and nothing else
 ///     comes between them.
-///   - Invariant, after each portion: the mesh is what a best-first search makes that knows of the flips possible at
-///     the start only those of the edges looked through so far.
+///   - Invariant, after each portion: the mesh is the result of a best-first search that starts with only those
+///     flips that are possible at the edges looked through so far.
 ///   - A portion adds its flips to that search, in the order of their times. Before one of time t looks at its
 ///     neighbourhood, all later flips there are taken back, each with its whole burst and with all that came after it
-///     in its own neighbourhood. So it sees the triangles of time t, and flips that remain saw nothing that changed.
+///     in its own neighbourhood. So it reads the triangles of time t, and flips that remain read nothing that changed.
 ///     What was taken back and is possible joins the search again.
 ///   - The last portion's invariant is the claim. Before a flip changes the triangles of an edge not looked through
 ///     yet, that edge is looked at, so that every edge is looked at in the mesh of the start.

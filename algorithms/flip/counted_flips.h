@@ -1,4 +1,4 @@
-// Flips with what a search by flips reports: counts, a trace if asked for, whether the deadline stopped it.
+// Flips with what a search by flips reports: counts, a trace if requested, whether the deadline stopped it.
 #pragma once
 
 #include <utility>

@@ -67,7 +67,7 @@ AlgorithmInfo flip_entry() {
   info.name = "flip";
   info.summary = "flips edges to shorter diagonals until no flip improves";
   info.source =
-      "the report's flip heuristic; flips: C. L. Lawson, Software for C1 surface interpolation, in Mathematical "
+      "the source report's flip heuristic; flips: C. L. Lawson, Software for C1 surface interpolation, in Mathematical "
       "Software III (1977)";
   info.guarantee = "none known; local optimum under flips, certified by exact comparison; never worse than its start";
   info.time = "O(n) plus O(1) per flip (stack) or O(log n) per flip (best)";

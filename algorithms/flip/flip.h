@@ -11,14 +11,14 @@ namespace mwt {
 /// Which of the possible flips is taken next.
 enum class FlipOrder {
   stack,  ///< any; neighbours of the last one first
-  best    ///< the one that gains most, as far as doubles tell gains apart (best_first.h)
+  best    ///< the one that gains most, gains compared in doubles (best_first.h)
 };
 
 struct FlipResult {
   std::size_t flips = 0;
   std::size_t tests = 0;  ///< looks at an edge that may have to be flipped
   bool stopped_early = false;
-  std::vector<Flip> trace;  ///< the flips in order, if asked for
+  std::vector<Flip> trace;  ///< the flips in order, if requested
 };
 
 /// Flips edges of `mesh` to shorter diagonals of strictly convex quadrilaterals until none is left: a local optimum

@@ -184,9 +184,9 @@ FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovemen
 AlgorithmInfo flip_naive_entry() {
   AlgorithmInfo info;
   info.name = "flip_naive";
-  info.summary = "local search by flips, as the report writes it";
+  info.summary = "local search by flips, as the source report writes it";
   info.source = "source report, section 5.3";
-  info.guarantee = "none: linear in n in the worst case; the report claims at most 1.2 with probability 1/2";
+  info.guarantee = "none: linear in n in the worst case; the source report claims at most 1.2 with probability 1/2";
   info.time = "O(n log n) per pass";
   info.space = "O(n + flips)";
   info.max_n = 1'000'000;

@@ -9,7 +9,7 @@
 namespace mwt {
 
 enum class FlipImprovement {
-  first,  ///< the report's loop: pass over all edges, flip each that improves, until a pass flips none
+  first,  ///< the source report's loop: pass over all edges, flip each that improves, until a pass flips none
   best,   ///< always the flip with the largest gain
 };
 
@@ -24,7 +24,8 @@ struct FlipSearch {
 
 /// Local search from a valid triangulation. A flip replaces the diagonal AB of a strictly convex quadrilateral ACBD by
 /// CD; the perimeters change by 2 (|CD| - |AB|) in all, so it improves exactly if |CD| < |AB|, which compare_length()
-/// decides exactly. (The report also asks whether CD crosses an edge: it cannot, inside an empty convex quadrilateral.)
+/// decides exactly. (The source report also tests whether CD crosses an edge: it cannot, inside an empty convex
+/// quadrilateral.)
 ///
 /// first: each pass visits the edges that exist when it starts, by smaller index, then larger index, each in the state
 /// that the flips before it have left. best: by gain to about 100 bits; equal gains by the removed edge's indices, then
@@ -38,7 +39,7 @@ struct FlipSearch {
                                      const std::optional<Context::Clock::time_point>& deadline,
                                      std::size_t max_flips = kAnyNumberOfFlips);
 
-/// Registry entry: start = delaunay | sweep | greedy (the report's), or a triangulation given in context.start.
+/// Registry entry: start = delaunay | sweep | greedy (the source report's), or a triangulation given in context.start.
 [[nodiscard]] AlgorithmInfo flip_naive_entry();
 
 }  // namespace mwt

@@ -142,8 +142,8 @@ bool GreedyBuilder::closes_ear(Halfedge h) const {
   return is_fixed(mesh_, mesh_.next(h)) && is_fixed(mesh_, mesh_.previous(h));
 }
 
-// Whether e can be the next edge of greedy, as lemma 1 of PROOFS.md has it: either there is no visible point in the
-// closed disc around it, which its two triangles tell, or it is an ear. Precondition: e is not fixed.
+// Whether e can be the next edge of greedy, by lemma 1 of PROOFS.md: either there is no visible point in the closed
+// disc around it, for which its two triangles suffice, or it is an ear. Precondition: e is not fixed.
 bool GreedyBuilder::is_candidate(MeshEdge e) const {
   const Halfedge h = 2 * e;
   const bool left = faces_acute_angle(h), right = faces_acute_angle(h + 1);

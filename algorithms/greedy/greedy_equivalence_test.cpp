@@ -29,7 +29,7 @@ std::vector<Edge> edges_with_large_faces_from(std::size_t large_face, Points poi
 std::vector<Edge> edges_by_certain_ears(Points points) { return edges_with_large_faces_from(0, points); }
 std::vector<Edge> edges_by_queue_alone(Points points) { return edges_with_large_faces_from(points.size() * 3, points); }
 
-// Compares on one instance; says whether there was one.
+// Compares on one instance; returns whether there was one.
 bool compare_on_family(const GeneratorInfo& family, Index n, std::uint64_t seed) {
   try {
     const PointSet set = make_point_set(generate(family.name, n, seed, {}), family.name);

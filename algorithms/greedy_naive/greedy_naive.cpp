@@ -1,5 +1,7 @@
 #include "algorithms/greedy_naive/greedy_naive.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -137,8 +139,9 @@ class TriangleAssembly {
 
 void require_moderate_size(Points points) {
   if (points.size() <= kMaxN) return;
-  throw NotApplicable("greedy_naive sorts all pairs of points and takes at most " + std::to_string(kMaxN) +
-                      " points; this instance has " + std::to_string(points.size()));
+  throw NotApplicable(
+      fmt::format("greedy_naive sorts all pairs of points and takes at most {} points; this instance has {}", kMaxN,
+                  points.size()));
 }
 
 Solution solve(Points points, Context& context) {
@@ -181,10 +184,10 @@ std::optional<Triangulation> greedy_naive(Points points, const Deadline& deadlin
 AlgorithmInfo greedy_naive_entry() {
   AlgorithmInfo info;
   info.name = "greedy_naive";
-  info.summary = "greedy: shortest pairs first, as the report writes it";
+  info.summary = "greedy: shortest pairs first, as the source report writes it";
   info.source = "source report, section 5.1";
   info.guarantee = "Theta(sqrt n) in the worst case (Levcopoulos 1987; Levcopoulos and Krznaric 1998)";
-  info.time = "O(n^3) worst case (the report bounds it by O(n^4))";
+  info.time = "O(n^3) worst case (the source report bounds it by O(n^4))";
   info.space = "O(n^2)";
   info.max_n = 4000;
   info.function = solve;

@@ -21,8 +21,8 @@ namespace mwt {
 /// well. So no edge ever passes through a point.
 ///
 /// Preconditions: distinct points, not all collinear; at most 10,000, otherwise NotApplicable. Deterministic. O(n^2)
-/// space for the pairs. O(n^3) tests in the worst case, since the edges kept are fewer than 3n (the report's O(n^4)
-/// counts n^2 of them); a box test in front settles most.
+/// space for the pairs. O(n^3) tests in the worst case, since the edges kept are fewer than 3n (the source report's
+/// O(n^4) counts n^2 of them); a box test in front settles most.
 [[nodiscard]] Triangulation greedy_naive(Points points);
 
 /// The same; nothing if the deadline passes first, for an unfinished greedy is no triangulation.

@@ -9,7 +9,7 @@
 namespace mwt {
 namespace {
 
-// The report's greedy taken literally: every pair against every other edge and every point.
+// The source report's greedy taken literally: every pair against every other edge and every point.
 std::vector<Edge> literal_greedy_edges(Points points) {
   std::vector<Edge> pairs;
   for (Index a = 0; a < points.size(); ++a) {

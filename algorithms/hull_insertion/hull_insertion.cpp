@@ -91,7 +91,7 @@ AlgorithmInfo hull_insertion_entry() {
   info.name = "hull_insertion";
   info.summary = "optimal triangulation of the hull, then interior points inserted by splitting triangles";
   info.source = "source report, section 5.2";
-  info.guarantee = "none: linear in n in the worst case (family insertion_trap); the report claims O(log n)";
+  info.guarantee = "none: linear in n in the worst case (family insertion_trap); the source report claims O(log n)";
   info.time = "O(h^3 + n log^2 n)";
   info.space = "O(h^2 + n)";
   info.max_n = 1'000'000;

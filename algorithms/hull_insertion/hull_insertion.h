@@ -24,8 +24,8 @@ struct HullInsertion {
   std::optional<StopReason> stop_reason;  ///< why the hull's triangulation is not optimal, unless it is
 };
 
-/// Triangulates the convex hull by triangulate_convex_polygon() with the report's cost, the sum of perimeters, the
-/// cycle starting at the lexicographically smallest point; with too little time or memory the result is what that
+/// Triangulates the convex hull by triangulate_convex_polygon() with the source report's cost, the sum of perimeters,
+/// the cycle starting at the lexicographically smallest point; with too little time or memory the result is what that
 /// returns. Then inserts every interior point in the given order: the triangle (a, b, c) that holds it is replaced in
 /// place by (a, b, p), (b, c, p), (c, a, p). A point on an edge replaces the triangles on both sides, each in place,
 /// leaving out the flat one of the three. The list is in the order that this gives.

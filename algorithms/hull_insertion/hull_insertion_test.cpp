@@ -14,7 +14,8 @@
 namespace mwt {
 namespace {
 
-// The report's insertion taken literally: scan the list for the triangles that hold p, replace each where it stands.
+// The source report's insertion taken literally: scan the list for the triangles that hold p, replace each where it
+// stands.
 void insert_literally(Points points, std::vector<Triangle>& triangles, Index p) {
   std::vector<Triangle> result;
   for (const Triangle& triangle : triangles) {

@@ -92,7 +92,7 @@ Index SplitHistory::triangle_at(const Place& place) {
     if (regions_[region].child_count == 0) return kNoIndex;
     Index child = regions_[region].first_child;
     const Index last = child + regions_[region].child_count - 1;
-    while (child != last && !holds(child)) ++child;  // the children cover their parent: no need to ask the last
+    while (child != last && !holds(child)) ++child;  // the children cover their parent: no need to test the last
     return child;
   };
   return paths_.find_deepest(holds, child_that_holds);

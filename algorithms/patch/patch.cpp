@@ -1,5 +1,7 @@
 #include "algorithms/patch/patch.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -14,7 +16,7 @@ namespace mwt {
 
 namespace {
 
-constexpr std::array<std::uint32_t, 2> kQueuedMarks = {512, 1024};  // the triangle of this smallest halfedge waits
+constexpr std::array<std::uint32_t, 2> kQueuedMarks = {512, 1024};  // the triangle of this smallest halfedge is queued
 
 Halfedge name_of_triangle(const PlanarMesh& mesh, Halfedge h) {
   return std::min(h, std::min(mesh.next(h), mesh.previous(h)));
@@ -93,7 +95,7 @@ class PatchSearch {
     for (const MeshEdge e : polygon_.inner()) enqueue(2 * e);
   }
 
-  // Whether a patch of the same triangles was tried since the last improvement, which is so for one in five; remembers
+  // Whether a patch of the same triangles was tried since the last improvement, as one in five was; records
   // this one. A collision of 64-bit sums would spare a patch that another start may still find.
   bool is_known_to_fail() {
     std::uint64_t sum = 0;
@@ -132,13 +134,13 @@ PatchOptions options_of(const Parameters& parameters) {
   PatchOptions options;
   const std::int64_t k = parameters.integer("k"), passes = parameters.integer("passes");
   if (k < 2 || k > kMaxPatch) {
-    throw InputError("patch: k=" + std::to_string(k) + " is not between 2 and " + std::to_string(kMaxPatch));
+    throw InputError(fmt::format("patch: k={} is not between 2 and {}", k, kMaxPatch));
   }
   if (passes < 0 || passes > 1'000'000)
-    throw InputError("patch: passes=" + std::to_string(passes) + " is not between 0 and 1000000");
+    throw InputError(fmt::format("patch: passes={} is not between 0 and 1000000", passes));
   const std::int64_t long_k = parameters.integer("long_k");
   if (long_k < 0 || long_k > kMaxPatch) {
-    throw InputError("patch: long_k=" + std::to_string(long_k) + " is not between 0 and " + std::to_string(kMaxPatch));
+    throw InputError(fmt::format("patch: long_k={} is not between 0 and {}", long_k, kMaxPatch));
   }
   options.k = static_cast<int>(k);
   options.long_k = static_cast<int>(long_k == 0 ? std::min<std::int64_t>(4 * k, kMaxPatch) : long_k);
@@ -182,14 +184,10 @@ AlgorithmInfo patch_entry() {
   info.summary = "re-triangulates patches of k triangles optimally until none improves (large-neighbourhood search)";
   info.source =
       "this project; sub-solver: G. T. Klincsek, Minimal triangulations of polygonal domains (1980); beta-skeleton "
-      "edges: "
-      "S.-W. "
-      "Cheng, "
-      "Y.-F. Xu, On beta-skeleton as a subgraph of the minimum weight triangulation (2001)";
+      "edges: S.-W. Cheng, Y.-F. Xu, On beta-skeleton as a subgraph of the minimum weight triangulation (2001)";
   info.guarantee =
       "never worse than its start: with start=greedy the O(sqrt n) of greedy (Levcopoulos, Krznaric 1998); optimal if "
-      "one "
-      "patch covers a convex polygon";
+      "one patch covers a convex polygon";
   info.version = 3;
   info.time = "O(n k^3) per pass; a few passes in practice";
   info.space = "O(n + k^2)";

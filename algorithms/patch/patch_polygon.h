@@ -17,7 +17,7 @@ class PatchPolygon {
   /// nor edges with one of the marks `closed`.
   void grow(Halfedge start, int k, std::uint32_t closed);
 
-  /// Re-triangulates the patch if an optimal triangulation is shorter for certain; says whether it did.
+  /// Re-triangulates the patch if an optimal triangulation is shorter for certain; returns whether it did.
   bool improve();
 
   /// Whether nothing is open to grow further: all around are hull and closed edges.

@@ -222,7 +222,7 @@ AlgorithmInfo polygon_dp_entry() {
   info.parameters = {{"objective",
                       ParameterType::choice,
                       "edges",
-                      "what is minimised: the weight, or the report's sum of perimeters (without certified optimum)",
+                      "what is minimised: the weight, or the source report's perimeter sum (no certified optimum)",
                       {"edges", "perimeter"}}};
   info.function = solve_at_any_size;
   return info;

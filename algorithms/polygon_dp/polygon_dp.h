@@ -12,7 +12,7 @@ namespace mwt {
 /// polygon's length.
 enum class PolygonObjective {
   edges,      ///< the weight: every edge once, the polygon's own edges included
-  perimeter,  ///< the report's cost: the triangles' perimeters, so that diagonals count twice
+  perimeter,  ///< the source report's cost: the triangles' perimeters, so that diagonals count twice
 };
 
 struct PolygonTriangulation {

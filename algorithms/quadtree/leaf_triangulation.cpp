@@ -25,7 +25,7 @@ std::size_t next_on(Path path, std::size_t i) {
   return static_cast<std::size_t>(std::countr_zero(path >> (i + 1))) + i + 1;
 }
 
-// The points of a leaf in lexicographic order, and what the search asks about them again and again.
+// The points of a leaf in lexicographic order, and facts about them that the search uses often.
 class Leaf {
  public:
   Leaf(Points points, std::span<const Index> chosen) : indices_(chosen.begin(), chosen.end()) {
@@ -82,7 +82,7 @@ class Leaf {
   std::array<std::array<std::array<int, kSize>, kSize>, kSize> turns_{};
 };
 
-// The least weight of what lies above each path, computed when first asked for.
+// The least weight of what lies above each path, computed on first use.
 class PathSearch {
  public:
   explicit PathSearch(const Leaf& leaf)

@@ -1,5 +1,7 @@
 #include "algorithms/quadtree/quadtree.h"
 
+#include <fmt/core.h>
+
 #include <string>
 #include <utility>
 
@@ -62,8 +64,7 @@ std::vector<Edge> leaf_edges(Points points, const Quadtree& tree, int capacity, 
 Solution solve(Points points, Context& context) {
   const std::int64_t capacity = context.parameters.integer("capacity");
   if (capacity < 1 || capacity > kMaxLeaf) {
-    throw InputError("quadtree: parameter capacity=" + std::to_string(capacity) + " is not between 1 and " +
-                     std::to_string(kMaxLeaf));
+    throw InputError(fmt::format("quadtree: parameter capacity={} is not between 1 and {}", capacity, kMaxLeaf));
   }
   QuadtreeTriangulation result = quadtree_triangulation(points, static_cast<int>(capacity), context);
   Solution solution;
@@ -103,8 +104,7 @@ AlgorithmInfo quadtree_entry() {
   info.time = "O(n log n)";
   info.space = "O(n)";
   info.max_n = 1'000'000;
-  info.parameters = {
-      {"capacity", ParameterType::integer, "4", "points per leaf, 1 to " + std::to_string(kMaxLeaf), {}}};
+  info.parameters = {{"capacity", ParameterType::integer, "4", fmt::format("points per leaf, 1 to {}", kMaxLeaf), {}}};
   info.function = solve;
   return info;
 }

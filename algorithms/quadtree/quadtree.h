@@ -16,7 +16,7 @@ struct QuadtreeTriangulation {
 /// minimum weight triangulation of each leaf's points (minimum_weight_edges()), and merges all leaves with one
 /// constrained Delaunay triangulation of all points in which these edges are constraints.
 ///
-/// The report merges neighbouring cells recursively, each time by a constrained Delaunay triangulation of their
+/// The source report merges neighbouring cells recursively, each time by a constrained Delaunay triangulation of their
 /// boundary points; that is done in one step here, since the constraints of all levels are the leaves' edges. Leaves
 /// are disjoint convex cells, so no two of their edges cross and none passes through a point. A leaf at the quadtree's
 /// greatest depth may hold more points than the capacity: its edges are those of its Delaunay triangulation.

@@ -1,5 +1,7 @@
 #include "algorithms/subset_dp/subset_dp.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -242,12 +244,11 @@ class PathProgram {
 Solution solve(Points points, Context& context) {
   const std::int64_t limit = context.parameters.integer("max_points");
   if (limit < 3 || limit > std::int64_t{kSubsetDpMaxN}) {
-    throw InputError("subset_dp: parameter max_points=" + std::to_string(limit) + " is not between 3 and " +
-                     std::to_string(kSubsetDpMaxN));
+    throw InputError(fmt::format("subset_dp: parameter max_points={} is not between 3 and {}", limit, kSubsetDpMaxN));
   }
   if (std::ssize(points) > limit) {
-    throw NotApplicable("subset_dp: " + std::to_string(points.size()) + " points; it takes at most " +
-                        std::to_string(limit) + " (parameter max_points, up to " + std::to_string(kSubsetDpMaxN) + ")");
+    throw NotApplicable(fmt::format("subset_dp: {} points; it takes at most {} (parameter max_points, up to {})",
+                                    points.size(), limit, kSubsetDpMaxN));
   }
   Solution solution;
   std::optional<SubsetDpResult> result;

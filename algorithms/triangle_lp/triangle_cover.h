@@ -55,8 +55,8 @@ struct TriangleCover {
 /// Preconditions: candidates are counter-clockwise and closed triangles without further points; `triangle_count` is
 /// right. Candidates outside the region do no harm. Without any cover by candidates the result has no triangles.
 ///
-/// Credits are balanced first (cover_balance.h), columns that no lighter cover can have are dropped, and the rest is
-/// column generation (cover_program.h) and depth-first branching. Time: 0.1 s for the 17,000 empty triangles of 100
+/// Dual values are balanced first (cover_balance.h), columns that no lighter cover can have are dropped, and the rest
+/// is column generation (cover_program.h) and depth-first branching. Time: 0.1 s for the 17,000 empty triangles of 100
 /// uniform points with a start; branching is exponential in the worst case.
 [[nodiscard]] TriangleCover lightest_triangle_cover(const TriangleCoverProblem& problem);
 

@@ -127,7 +127,7 @@ TEST(TriangleCover, IsTheSameOnEveryThread) {
 }
 
 // Whatever the dual values, the bound holds.
-TEST(CoverModel, BoundsCoversByArbitraryCredits) {
+TEST(CoverModel, BoundsCoversByArbitraryDualValues) {
   const Region region = whole_hull(generate("uniform", 20, 3));
   const double optimum = lightest_triangle_cover(region.problem()).optimum.upper;
   const CoverModel model(region.problem());

@@ -1,5 +1,7 @@
 #include "algorithms/triangle_lp/triangle_lp.h"
 
+#include <fmt/core.h>
+
 #include <limits>
 #include <optional>
 #include <string>
@@ -65,8 +67,8 @@ Solution cover_hull(Points points, Context& context) {
 Solution solve_triangle_program(Points points, Context& context) {
   const std::int64_t limit = context.parameters.integer("max_points");
   if (std::ssize(points) > limit) {
-    throw NotApplicable("triangle_lp: " + std::to_string(points.size()) + " points; it takes at most " +
-                        std::to_string(limit) + " (parameter max_points)");
+    throw NotApplicable(
+        fmt::format("triangle_lp: {} points; it takes at most {} (parameter max_points)", points.size(), limit));
   }
   Solution solution = [&] {
     const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));

@@ -1,5 +1,7 @@
 #include "generators/hunted/hunted.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace mwt {
@@ -18,8 +20,8 @@ std::vector<Point> hunted(Index n, std::uint64_t, const Parameters& parameters) 
     if (nearest == nullptr || distance(instance) < distance(*nearest)) nearest = &instance;
   }
   if (distance(*nearest) == 0) return nearest->points;
-  throw InputError("hunted: no instance of n=" + std::to_string(n) + " points was kept; the nearest legal n is " +
-                   std::to_string(nearest->points.size()));
+  throw InputError(
+      fmt::format("hunted: no instance of n={} points was kept; the nearest legal n is {}", n, nearest->points.size()));
 }
 
 // Alpha as it was found: the law is that the algorithm has not changed.

@@ -1,4 +1,4 @@
-// A tiny circle that is triangulated from far away before anything near it is known (F5).
+// A tiny circle that is triangulated from far away before any point near it is inserted (F5).
 #pragma once
 
 #include <vector>

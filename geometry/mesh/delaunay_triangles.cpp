@@ -81,7 +81,7 @@ class DelaunayBuilder {
                   {{u, w, ghost_}, {2, 10, 5}}};
   }
 
-  // Some triangle hit by p: the one that contains p or, outside the hull, a ghost whose hull edge sees p.
+  // Some triangle hit by p: the one that contains p or, outside the hull, a ghost whose hull edge is visible from p.
   [[nodiscard]] std::uint32_t find_hit(const Point& p) const {
     std::uint32_t triangle = last_;
     if (is_ghost(triangle)) triangle = triangle_of(hull_twin(triangle));
@@ -183,7 +183,7 @@ class DelaunayBuilder {
 }  // namespace
 
 KeptVector<LinkedTriangle> delaunay_triangles(KeptVector<Point>& points) {
-  // No filter is ever satisfied by a NaN, so that fast paths need not ask for ghosts.
+  // A NaN satisfies no filter, so that fast paths need no test for ghosts.
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   points.push_back({kNan, kNan});
   struct Restored {

@@ -28,8 +28,8 @@ namespace mwt {
 /// Precondition: `squared` is a trusted product.
 ///
 /// Where u or v is nearest, an underflow of the scalar product may take for that what is a point of the segment at most
-/// 2^-536 away, nothing to the margin at distances from 1e-140 on. Between them, the base of the triangle decides: one
-/// that is too short for its square says no.
+/// 2^-536 away, nothing to the margin at distances from 1e-140 on. Between them, the base of the triangle decides: the
+/// answer is no if its square underflows.
 [[nodiscard]] inline bool is_surely_farther(const Point& c, const Point& u, const Point& v, double squared) {
   constexpr double kMargin = 1 + kProductMargin;
   // Of the two products: each errs by 3 * 2^-53 of itself, their difference by 2^-53 more.

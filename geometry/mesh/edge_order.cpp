@@ -98,7 +98,7 @@ void EdgeOrder::sort_by_labels(std::span<EdgeKey> edges) const {
   std::copy(sorted.begin(), sorted.end(), edges.begin());
 }
 
-// Sorts edges that 100 bits do not tell apart.
+// Sorts edges whose lengths agree in 100 bits.
 void EdgeOrder::sort_nearly_equal(std::span<EdgeKey> edges) const {
   constexpr std::size_t kManyEdges = 64;
   const auto is_as_long_as_the_first = [&](const EdgeKey& e) { return have_equal_lengths(e, edges.front()); };

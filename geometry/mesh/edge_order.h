@@ -46,7 +46,7 @@ class EdgeOrder {
     return surely_differ(x, y) ? x < y : precedes_slow(one, two);
   }
 
-  /// Sorts edges whose lengths are hard to tell apart. O(m log m); faster where many are of one length.
+  /// Sorts edges whose lengths are nearly equal. O(m log m); faster where many are of one length.
   void sort(std::span<EdgeKey> edges) const;
 
   /// Whether rounded squared lengths show which edge is shorter, unless they leave the trusted range.

@@ -1,8 +1,8 @@
-// Memory for large arrays that is kept for the next one: new memory is slow to come by.
+// Memory for large arrays that is kept for the next one: the system is slow to give new memory.
 //
 // Measured against plain vectors with other allocators preloaded (uniform points, CPU time, medians of interleaved
 // processes): a second run of greedy on a million points takes 7% longer with glibc, 10% with mimalloc 2.0.9 and with
-// jemalloc 5.3.0, one of patch 4% to 6%; first runs are equal. Allocators told never to return memory are as fast (3%
+// jemalloc 5.3.0, one of patch 4% to 6%; first runs are equal. Allocators set to never return memory are as fast (3%
 // faster for greedy, 2% slower for patch), but that is a setting for all of a program, and raises glibc's peak
 // for patch by 37%.
 #pragma once

@@ -21,17 +21,17 @@ using MeshEdge = std::uint32_t;
 [[nodiscard]] constexpr Halfedge twin(Halfedge h) { return h ^ 1; }
 [[nodiscard]] constexpr MeshEdge edge_of(Halfedge h) { return h >> 1; }
 
-/// All there is to know about an edge, in half a cache line.
+/// Everything about one edge, in half a cache line.
 struct alignas(32) EdgeRecord {
   std::array<Index, 2> origins;
   std::array<Halfedge, 2> next;      ///< the following halfedge of the same face
   std::array<Halfedge, 2> previous;  ///< the one before
   float squared_length;              ///< rounded; may be 0 or infinite for extreme coordinates
-  std::uint32_t marks;               ///< bits: kHullMark, kLastingMarks, others at the disposal of whoever works on it
+  std::uint32_t marks;               ///< bits: kHullMark, kLastingMarks, others free for the algorithm at work
 };
 
 inline constexpr std::uint32_t kHullMark = 1;
-/// For what one algorithm tells the next, such as beta-skeleton edges: no algorithm uses these bits for itself.
+/// Marks that outlive an algorithm, such as beta-skeleton edges: no algorithm uses these bits for its own purposes.
 inline constexpr std::uint32_t kLastingMarks = 0xFFFF0000;
 
 /// A triangulation of the convex hull of its points, with links from each halfedge to its neighbours.

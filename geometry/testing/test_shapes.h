@@ -117,7 +117,7 @@ inline std::vector<Point> distinct(const std::vector<Point>& points) {
   return result;
 }
 
-/// Distinct points, not all collinear, in an order that tells nothing.
+/// Distinct points, not all collinear, in a pseudo-random order.
 inline std::vector<Shape> all_shapes() {
   std::vector<Shape> shapes{
       {"one triangle", {{0, 0}, {1, 0}, {0, 1}}},

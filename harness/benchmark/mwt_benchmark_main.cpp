@@ -4,7 +4,7 @@
 // Three flags of its own: --max_n=10000000, the largest number of points (default: a million); --threads=2, how many
 // threads an algorithm may use (default: one); --version. Counters: over_delaunay = median processor time (of several
 // threads: wall time) / median of seven Delaunay triangulations of the same points by CGAL, measured in turns with the
-// algorithm; stopped_early, 1 if something stopped the algorithm (the label says what), else 0; alpha_lower,
+// algorithm; stopped_early, 1 if something stopped the algorithm (the label names it), else 0; alpha_lower,
 // alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own stages in its last iteration (in CSV these
 // are in the column `label`: see csv_reporter.h).
 #include <benchmark/benchmark.h>
@@ -112,7 +112,7 @@ Flags take_flags(int& argument_count, char** arguments) {
   return flags;
 }
 
-// What a flag of Google Benchmark says: the last one given, else the environment.
+// The value of a flag of Google Benchmark: the last one given, else the environment.
 std::string value_of_flag(const std::string& name, int argument_count, char** arguments) {
   std::string variable = name;
   for (char& c : variable) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

@@ -1,5 +1,7 @@
 #include "harness/benchmark/prepared_cell.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iostream>
 
@@ -87,8 +89,8 @@ void verify(const Catalogue& catalogue, PreparedCell& cell, const std::string& l
 }  // namespace
 
 std::string BenchmarkCell::name() const {
-  return with_parameters(algorithm->name, algorithm_parameters) + '/' +
-         with_parameters(family->name, family_parameters) + '/' + std::to_string(n);
+  return fmt::format("{}/{}/{}", with_parameters(algorithm->name, algorithm_parameters),
+                     with_parameters(family->name, family_parameters), n);
 }
 
 namespace {
@@ -130,7 +132,7 @@ PreparedCell prepare(const Catalogue& catalogue, const BenchmarkCell& cell) {
     prepared.request.algorithm = cell.algorithm;
     prepared.request.parameters =
         Parameters(cell.algorithm->name, cell.algorithm->parameters, cell.algorithm_parameters);
-    verify(catalogue, prepared, cell.family->name + " n=" + std::to_string(cell.n));
+    verify(catalogue, prepared, fmt::format("{} n={}", cell.family->name, cell.n));
   } catch (const std::exception& reason) {  // the others are timed all the same
     prepared.reason_to_skip = reason.what();
   }

@@ -1,5 +1,5 @@
-// A claim of the source report: what it says, by which rows of a study it is judged, and the rule of its verdict, fixed
-// beforehand.
+// A claim of the source report: its statement, by which rows of a study it is judged, and the rule of its verdict,
+// fixed beforehand.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 namespace mwt {
 
 enum class ClaimVerdict {
-  reproduced,      ///< the report's own figures came out
+  reproduced,      ///< the source report's own figures came out
   holds,           ///< what it asserts was seen wherever it was looked for
   refuted,         ///< the records contradict it
   refuted_better,  ///< they contradict it, because the algorithm is better than claimed
@@ -26,13 +26,13 @@ enum class ClaimVerdict {
 
 using Runs = std::vector<const RunRecord*>;
 
-/// A table of details, for whoever wants to see behind the sentence.
+/// The figures behind a verdict, as a table.
 struct ClaimDetails {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
 };
 
-/// What the records say about a claim.
+/// How a claim is judged by the records.
 struct Finding {
   ClaimVerdict verdict = ClaimVerdict::undecided;
   std::string measured;  ///< one line with the figures
@@ -43,8 +43,8 @@ struct Finding {
 
 struct Claim {
   std::string id;         ///< C1 .. C15
-  std::string statement;  ///< what the report says
-  std::string section;    ///< of the report
+  std::string statement;  ///< what the source report states
+  std::string section;    ///< of the source report
   std::string data;       ///< which rows it is judged by, in words
   std::string rule;       ///< how the verdict follows from them
   std::string command;    ///< shell commands that show the matter by themselves

@@ -1,4 +1,6 @@
 // C4: greedy's approximation factor in practice.
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "harness/claims/report_claims.h"
@@ -28,7 +30,7 @@ double share_in_band(const std::vector<double>& values) {
 
 std::string percent(double share) { return fixed(100 * share, 1) + "%"; }
 
-// One run per instance: where both versions of greedy ran they agree, and the literal one speaks.
+// One run per instance: where both versions of greedy ran they agree, and the literal one counts.
 Runs one_per_instance(const Runs& runs) {
   std::map<std::string, const RunRecord*> chosen;
   for (const RunRecord* run : runs) {
@@ -93,7 +95,7 @@ std::string best_fit(const StudyRecords& records) {
     const double share = share_in_band(alphas(runs));
     if (share <= best) continue;
     best = share;
-    text = "; the band fits best " + key.first + " at n = " + grouped(key.second) + " (" + percent(share) + " inside)";
+    text = fmt::format("; the band fits best {} at n = {} ({} inside)", key.first, grouped(key.second), percent(share));
   }
   return text;
 }
@@ -110,8 +112,7 @@ ClaimVerdict verdict_of(const std::vector<double>& values) {
 }
 
 std::string missing_of(const std::vector<double>& values) {
-  if (values.size() < kMinInstances)
-    return std::to_string(values.size()) + " instances, " + std::to_string(kMinInstances) + " are needed";
+  if (values.size() < kMinInstances) return fmt::format("{} instances, {} are needed", values.size(), kMinInstances);
   return "the interval for the share of instances inside 1.1-1.5 holds one half; more instances would narrow it";
 }
 
@@ -123,11 +124,10 @@ Finding judge_greedy_alpha(const StudyRecords& records) {
   const std::vector<double> values = alphas(finding.rows);
   finding.verdict = verdict_of(values);
   finding.missing = missing_of(values);
-  finding.measured = "alpha of greedy: mean " + fixed(mean(values), 4) + ", 95% below " +
-                     fixed(quantile(values, 0.95), 4) + ", largest " +
-                     fixed(*std::max_element(values.begin(), values.end()), 4) + " on " + grouped(values.size()) +
-                     " instances, " + size_range(finding.rows) + "; " + percent(share_in_band(values)) +
-                     " lie in 1.1-1.5" + best_fit(records);
+  finding.measured = fmt::format(
+      "alpha of greedy: mean {:.4f}, 95% below {:.4f}, largest {:.4f} on {} instances, {}; {} lie in 1.1-1.5{}",
+      mean(values), quantile(values, 0.95), *std::max_element(values.begin(), values.end()), grouped(values.size()),
+      size_range(finding.rows), percent(share_in_band(values)), best_fit(records));
   finding.details = details_of(records);
   return finding;
 }

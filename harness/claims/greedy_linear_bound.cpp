@@ -1,5 +1,7 @@
 // C5: greedy's worst case.
+#include <fmt/core.h>
 #include "harness/claims/report_claims.h"
+
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"
 
@@ -39,10 +41,12 @@ Finding judge_greedy_linear_bound(const StudyRecords& records) {
   }
   finding.missing = is_below_n
                         ? "the exponent's interval on " + steepest->family + " holds 1; more sizes would narrow it"
-                        : "some alpha is above n, at sizes too small to tell growth";
-  finding.measured = "steepest on " + steepest->family + ": alpha grows like n^" + exponent_text(steepest->law) +
-                     "; largest alpha " + significant(*largest.alpha_upper, 4) + " at n = " + grouped(largest.n) +
-                     " on " + largest.generator + ". The worst case is Theta(sqrt n) (Levcopoulos, Krznaric 1998)";
+                        : "some alpha is above n, at sizes too small to show growth";
+  finding.measured = fmt::format(
+      "steepest on {}: alpha grows like n^{}; largest alpha {} at n = {} on {}. The worst case is Theta(sqrt n) "
+      "(Levcopoulos, Krznaric 1998)",
+      steepest->family, exponent_text(steepest->law), significant(*largest.alpha_upper, 4), grouped(largest.n),
+      largest.generator);
   return finding;
 }
 
@@ -54,8 +58,7 @@ Claim greedy_linear_bound() {
           "5.1.4",
           "greedy_naive and greedy on every family, against proved optima",
           "holds: alpha <= n everywhere, and on the family where it grows fastest the exponent's upper 95% limit is at "
-          "most "
-          "1; refuted: its lower limit is above 1; otherwise undecided",
+          "most 1; refuted: its lower limit is above 1; otherwise undecided",
           "mwt generate greedy_corridor --n 1000 -o p.csv && mwt solve p.csv --algorithm greedy --with-optimum",
           judge_greedy_linear_bound};
 }

@@ -1,5 +1,7 @@
 // C7: whether the hull's optimal triangulation weighs no more than the optimum of all points.
+#include <fmt/core.h>
 #include "harness/claims/report_claims.h"
+
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"
 
@@ -30,10 +32,9 @@ Finding judge_hull_lower_bound(const StudyRecords& records) {
   finding.measured = grouped(contradictions) + " of " + grouped(finding.rows.size()) + " instances contradict it";
   finding.verdict = contradictions > 0 ? ClaimVerdict::refuted : ClaimVerdict::holds;
   if (clearest != nullptr) {
-    finding.measured += "; on " + clearest->generator + " (n = " + grouped(clearest->n) +
-                        ") w(T0) = " + fixed(*hull_weight(*clearest), 3) +
-                        " > w(T*) = " + fixed(*clearest->optimum_upper, 3) +
-                        ": an inner point may make the optimum lighter";
+    finding.measured +=
+        fmt::format("; on {} (n = {}) w(T0) = {:.3f} > w(T*) = {:.3f}: an inner point may make the optimum lighter",
+                    clearest->generator, grouped(clearest->n), *hull_weight(*clearest), *clearest->optimum_upper);
   }
   return finding;
 }

@@ -1,4 +1,6 @@
 // C6: hull DP + insertion as an O(log n) approximation.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +28,7 @@ bool are_proved(const Runs& runs) {
   return std::all_of(runs.begin(), runs.end(), [](const RunRecord* run) { return run->optimality == "proved"; });
 }
 
-// The two steps at which the report's proof fails, the second with what was measured instead.
+// The two steps at which the source report's proof fails, the second with what was measured instead.
 std::string false_steps(const Runs& runs) {
   const auto groups = by_family(runs);
   const auto uniform = groups.find("uniform");
@@ -70,20 +72,22 @@ Finding judge_insertion_logarithmic(const StudyRecords& records) {
            run.n >= kMinInsertionN && run.alpha_lower;
   });
   const AlphaGrowth growth = alpha_growth_by_family(finding.rows, finding.details);
-  finding.missing = "finished runs of hull_insertion (order=index) at three sizes of some family, from n = " +
-                    std::to_string(kMinInsertionN) + ", with a certified alpha";
+  finding.missing = fmt::format(
+      "finished runs of hull_insertion (order=index) at three sizes of some family, from n = {}, with a certified "
+      "alpha",
+      kMinInsertionN);
   if (finding.details.rows.empty()) return finding;
   finding.missing =
       "nowhere does alpha surely outgrow log n, nor is that excluded everywhere (see the intervals of alpha / log n); "
-      "larger sizes, or proofs of all optima, would tell";
+      "larger sizes, or proofs of all optima, would decide";
   finding.verdict = growth.beyond_log           ? ClaimVerdict::refuted
                     : growth.nowhere_beyond_log ? ClaimVerdict::holds
                                                 : ClaimVerdict::undecided;
   if (!growth.on_uniform.empty()) finding.measured = "alpha on uniform points ~ n^" + growth.on_uniform + "; ";
   const RunRecord& top = largest(finding.rows);
-  finding.measured += "steepest on " + growth.steepest + ": n^" + fixed(growth.exponent, 2) + "; largest alpha " +
-                      significant(*top.alpha_lower, 3) + " (" + top.generator + ", n = " + grouped(top.n) + ")" +
-                      false_steps(finding.rows);
+  finding.measured +=
+      fmt::format("steepest on {}: n^{:.2f}; largest alpha {} ({}, n = {}){}", growth.steepest, growth.exponent,
+                  significant(*top.alpha_lower, 3), top.generator, grouped(top.n), false_steps(finding.rows));
   return finding;
 }
 

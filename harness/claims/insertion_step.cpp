@@ -1,4 +1,6 @@
 // C8: what inserting one interior point costs.
+#include <fmt/core.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +18,7 @@ constexpr double kClearStepGrowth = 0.05;
 constexpr double kMaxInUnitSquare = 3 * std::numbers::sqrt2;
 constexpr const char* kUnitSquare = "uniform";
 
-// The mean over all insertions: what the report's proof sums up.
+// The mean over all insertions: what the source report's proof sums up.
 std::optional<double> increase(const RunRecord& run) {
   const auto hull = named_number(run.counters, "hull_weight"), points = named_number(run.counters, "interior_points");
   if (!hull || !points || !(*points > 0) || !run.weight_upper) return std::nullopt;
@@ -74,11 +76,11 @@ Finding judge_insertion_step(const StudyRecords& records) {
   const StepGrowth growth = step_growth_by_family(finding.rows, finding.details);
   const auto groups = by_family(finding.rows);
   const auto unit_square = groups.find(kUnitSquare);
-  finding.missing = std::string("finished runs of hull_insertion on ") + kUnitSquare +
-                    " at three sizes, from n = " + std::to_string(kMinStepN);
+  finding.missing =
+      fmt::format("finished runs of hull_insertion on {} at three sizes, from n = {}", kUnitSquare, kMinStepN);
   if (unit_square == groups.end()) return finding;
   if (growth.has_unit_square)
-    finding.missing = "in the unit square growth is neither sure nor excluded; larger sizes would tell";
+    finding.missing = "in the unit square growth is neither sure nor excluded; larger sizes would decide";
   if (growth.fails_in_unit_square) {
     finding.verdict = ClaimVerdict::refuted;
   } else if (growth.holds_in_unit_square) {
@@ -88,8 +90,10 @@ Finding judge_insertion_step(const StudyRecords& records) {
                      significant(max_increase(unit_square->second), 3) +
                      " on average over a run (never above 3 sqrt 2)";
   if (growth.fails_elsewhere) {
-    finding.measured += ", but where coordinates grow with n it outgrows log n: on " + growth.steepest + " like n^" +
-                        fixed(growth.exponent, 2) + ". The claim depends on the unit of length, the optimum does not";
+    finding.measured += fmt::format(
+        ", but where coordinates grow with n it outgrows log n: on {} like n^{:.2f}. The claim depends on the unit of "
+        "length, the optimum does not",
+        growth.steepest, growth.exponent);
   }
   return finding;
 }
@@ -97,17 +101,15 @@ Finding judge_insertion_step(const StudyRecords& records) {
 }  // namespace
 
 Claim insertion_step() {
-  return {
-      "C8",
-      "Inserting one interior point increases the weight by at most O(log n)",
-      "5.2.5",
-      "hull_insertion on every family with at least three sizes from n = 20: (w(T) - w(T0)) / interior points",
-      "the mean increase over log n is fitted as a power of n: in the unit square it may not grow (refuted if the "
-      "lower "
-      "95% limit exceeds 0.05); ill-posed if it does not grow there but does elsewhere, for then the answer depends on "
-      "the unit of length; holds if it grows nowhere; otherwise undecided",
-      "mwt generate jittered_grid --n 1000 -o p.csv && mwt solve p.csv --algorithm hull_insertion --json",
-      judge_insertion_step};
+  return {"C8",
+          "Inserting one interior point increases the weight by at most O(log n)",
+          "5.2.5",
+          "hull_insertion on every family with at least three sizes from n = 20: (w(T) - w(T0)) / interior points",
+          "the mean increase over log n is fitted as a power of n: in the unit square it may not grow (refuted if the "
+          "lower 95% limit exceeds 0.05); ill-posed if it does not grow there but does elsewhere, for then the answer "
+          "depends on the unit of length; holds if it grows nowhere; otherwise undecided",
+          "mwt generate jittered_grid --n 1000 -o p.csv && mwt solve p.csv --algorithm hull_insertion --json",
+          judge_insertion_step};
 }
 
 }  // namespace mwt::claims

@@ -1,4 +1,6 @@
 // C10: how likely local search ends near the optimum.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 
@@ -13,7 +15,7 @@ namespace {
 
 constexpr Index kMinSearchN = 20;
 constexpr double kProbability = 0.5;  // the claim: above 1 - delta, delta at most one half
-// The report's own, from the harder end; then harder questions.
+// The source report's own, from the harder end; then harder questions.
 constexpr std::array<double, 4> kEpsilons = {0.1, 0.2, 0.01, 0.001};
 constexpr double kDecidingEpsilon = 0.1;
 
@@ -57,8 +59,8 @@ Summary add_rows(const std::map<Cell, Runs>& cells, double epsilon, ClaimDetails
     summary.every_cell_above = summary.every_cell_above && interval.lower > kProbability;
     summary.some_cell_below = summary.some_cell_below || interval.upper <= kProbability;
     if (interval.lower <= kProbability)
-      summary.open_cells.push_back("start=" + cell.start + " n=" + grouped(cell.n) + " (" + std::to_string(count) +
-                                   " of " + std::to_string(runs.size()) + ")");
+      summary.open_cells.push_back(
+          fmt::format("start={} n={} ({} of {})", cell.start, grouped(cell.n), count, runs.size()));
   }
   return summary;
 }
@@ -81,8 +83,9 @@ Finding judge_local_search_probability(const StudyRecords& records) {
       if (summary.some_cell_below) finding.verdict = ClaimVerdict::refuted;
       finding.missing = "more finished runs of: " + joined(summary.open_cells) +
                         "; six successes of six are the fewest that show P > 1/2";
-      finding.measured = share + " runs end below 1.1 OPT (uniform, " + size_range(finding.rows) +
-                         "); in every cell of n and start P >= " + fixed(summary.min_lower, 2) + " with 95% confidence";
+      finding.measured = fmt::format(
+          "{} runs end below 1.1 OPT (uniform, {}); in every cell of n and start P >= {:.2f} with 95% confidence",
+          share, size_range(finding.rows), summary.min_lower);
     } else if (epsilon < kDecidingEpsilon) {
       harder += "; below " + significant(1 + epsilon, epsilon < 0.005 ? 4 : 3) + " OPT: " + share;
     }
@@ -94,18 +97,17 @@ Finding judge_local_search_probability(const StudyRecords& records) {
 }  // namespace
 
 Claim local_search_probability() {
-  return {"C10",
-          "Local search: P[weight < (1+eps) OPT] > 1 - delta with eps in [0.1, 0.2], delta <= 0.5, n >= 20",
-          "5.3.4",
-          "flip_naive (improvement=first) on uniform points from n = 20, for every start and n, against proved optima",
-          "with the exact 95% interval (Clopper-Pearson) for the probability at eps = 0.1 in every cell of n and "
-          "start: holds "
-          "if all lie above one half; refuted if one does not reach above it; otherwise undecided. eps = 0.2 follows "
-          "from 0.1",
-          "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm flip_naive --param "
-          "start=sweep "
-          "--with-optimum",
-          judge_local_search_probability};
+  return {
+      "C10",
+      "Local search: P[weight < (1+eps) OPT] > 1 - delta with eps in [0.1, 0.2], delta <= 0.5, n >= 20",
+      "5.3.4",
+      "flip_naive (improvement=first) on uniform points from n = 20, for every start and n, against proved optima",
+      "with the exact 95% interval (Clopper-Pearson) for the probability at eps = 0.1 in every cell of n and start: "
+      "holds if all lie above one half; refuted if one does not reach above it; otherwise undecided. eps = 0.2 follows "
+      "from 0.1",
+      "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm flip_naive --param start=sweep "
+      "--with-optimum",
+      judge_local_search_probability};
 }
 
 }  // namespace mwt::claims

@@ -1,4 +1,6 @@
 // C13: how good the quadtree triangulation is.
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "harness/claims/report_claims.h"
@@ -12,7 +14,7 @@ namespace {
 
 constexpr Index kMinQuadtreeN = 20;
 constexpr std::size_t kMinQuadtreeInstances = 30;
-constexpr double kGood = 1.5;  // the upper end of what the report calls near-optimal of greedy
+constexpr double kGood = 1.5;  // the upper end of what the source report calls near-optimal of greedy
 constexpr double kClearQuadtreeGrowth = 0.05;
 
 std::optional<PowerLaw> growth_on_uniform(const Runs& runs) {
@@ -29,9 +31,9 @@ ClaimVerdict quadtree_verdict(const std::vector<double>& values, const PowerLaw&
 
 std::string quadtree_missing(std::size_t instances, const std::optional<PowerLaw>& growth) {
   if (instances < kMinQuadtreeInstances)
-    return std::to_string(instances) + " instances, " + std::to_string(kMinQuadtreeInstances) + " are needed";
+    return fmt::format("{} instances, {} are needed", instances, kMinQuadtreeInstances);
   if (!growth) return "rated runs on uniform points at three sizes";
-  return "growth on uniform points is neither sure nor excluded; more sizes would tell";
+  return "growth on uniform points is neither sure nor excluded; more sizes would decide";
 }
 
 Finding judge_quadtree_alpha(const StudyRecords& records) {
@@ -46,11 +48,11 @@ Finding judge_quadtree_alpha(const StudyRecords& records) {
   finding.missing = quadtree_missing(values.size(), growth);
   if (growth && values.size() >= kMinQuadtreeInstances) finding.verdict = quadtree_verdict(values, *growth);
   const RunRecord& largest = worst(everywhere);
-  finding.measured = "alpha on random points: mean " + fixed(mean(values), 4) + ", 95% below " +
-                     fixed(quantile(values, 0.95), 4) + " (" + size_range(finding.rows) + ")";
+  finding.measured = fmt::format("alpha on random points: mean {:.4f}, 95% below {:.4f} ({})", mean(values),
+                                 quantile(values, 0.95), size_range(finding.rows));
   if (growth) finding.measured += ", on uniform points ~ n^" + exponent_text(*growth);
-  finding.measured += "; no bound in general: " + significant(*largest.alpha_upper, 3) + " on " + largest.generator +
-                      ", n = " + grouped(largest.n);
+  finding.measured += fmt::format("; no bound in general: {} on {}, n = {}", significant(*largest.alpha_upper, 3),
+                                  largest.generator, grouped(largest.n));
   return finding;
 }
 
@@ -62,11 +64,9 @@ Claim quadtree_alpha() {
       "The quadtree triangulation is a good approximation (no figure given)",
       "5.4",
       "quadtree on uniform, normal and clustered points and on points from files, from n = 20, against proved optima",
-      "read as alpha at most 1.5, the report's word for near-optimal: holds if 95% of the runs are within it and alpha "
-      "on "
-      "uniform points does not grow (exponent's upper 95% limit at most 0.05); refuted if fewer are, or it does; "
-      "undecided "
-      "with fewer than 30 instances or between",
+      "read as alpha at most 1.5, the source report's word for near-optimal: holds if 95% of the runs are within it "
+      "and alpha on uniform points does not grow (exponent's upper 95% limit at most 0.05); refuted if fewer are, or "
+      "it does; undecided with fewer than 30 instances or between",
       "mwt generate uniform --n 100000 --seed 1 -o p.csv && mwt solve p.csv --algorithm quadtree --with-optimum",
       judge_quadtree_alpha};
 }

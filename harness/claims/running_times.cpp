@@ -1,4 +1,7 @@
-// C12: fitted running times against the stated ones, the report's literal algorithms and the fast ones side by side.
+// C12: fitted running times against the stated ones, the source report's literal algorithms and the fast ones side by
+// side.
+#include <fmt/core.h>
+
 #include <cmath>
 #include <set>
 
@@ -12,13 +15,13 @@ namespace {
 
 constexpr double kTolerance = 0.15;     // caches and memory make large inputs dearer per step
 constexpr Index kMinPower = 20;         // below, fixed costs hide the growth
-constexpr Index kMinNearLinear = 1000;  // n log n needs room to tell itself from n
+constexpr Index kMinNearLinear = 1000;  // below, n log n cannot be distinguished from n
 constexpr double kSlowestGrowth = 1.5;  // per point: what "exponential" must exceed
 constexpr std::size_t kMinSizes = 3;
 
 enum class Shape { power, times_log, per_pass };
 
-// What the report states about one algorithm.
+// What the source report states about one algorithm.
 struct Statement {
   std::string algorithm;
   std::string family;
@@ -39,7 +42,7 @@ const std::vector<Statement>& statements() {
   return all;
 }
 
-// The algorithms that the report does not have, for comparison.
+// The algorithms that the source report does not have, for comparison.
 constexpr const char* kFamilyOfOthers = "uniform";
 
 // Which sizes count is fixed beforehand, not by how long they take: the verdict must not depend on the machine's speed.
@@ -135,10 +138,10 @@ class Judge {
                                                                     : "";
     const std::string exponent = exponent_text(*law) + beside;
     if (!agrees && !contradicts)
-      miss(name + ": the interval of its exponent, " + exponent + ", holds " + fixed(most, 2));
+      miss(fmt::format("{}: the interval of its exponent, {}, holds {:.2f}", name, exponent, most));
     add(runs, {statement.algorithm, statement.family, statement.stated, size_range(runs), exponent,
                word_for(agrees, contradicts)});
-    say(name + " n^" + fixed(law->exponent.value, 2) + beside + " (" + statement.stated + ")");
+    say(fmt::format("{} n^{:.2f}{} ({})", name, law->exponent.value, beside, statement.stated));
   }
 
   static std::string word_for(bool agrees, bool contradicts) { return agrees ? "yes" : contradicts ? "no" : "open"; }
@@ -160,9 +163,8 @@ class Judge {
   void miss_sizes(const std::string& name, const std::string& from, const Runs& runs) {
     std::vector<std::string> sizes;
     for (const Index n : sizes_of(runs)) sizes.push_back(grouped(n));
-    miss(name + " has CPU times of finished runs at " + std::to_string(sizes.size()) + " sizes" + from +
-         (sizes.empty() ? "" : " (n = " + joined(sizes, "; ") + ")") + ", " + std::to_string(kMinSizes) +
-         " are needed");
+    miss(fmt::format("{} has CPU times of finished runs at {} sizes{}{}, {} are needed", name, sizes.size(), from,
+                     sizes.empty() ? "" : " (n = " + joined(sizes, "; ") + ")", kMinSizes));
   }
 
   void say(const std::string& text) { finding_.measured += (finding_.measured.empty() ? "" : ", ") + text; }
@@ -181,8 +183,7 @@ Claim running_times() {
       "quadtree and Delaunay O(n log n)",
       "4.2 to 6",
       "CPU times on uniform points from n = 20 (brute force: all), for DP + insertion also on circle, where the hull "
-      "is "
-      "everything; for O(n log n) from n = 1,000; short runs are repeated until they can be timed",
+      "is everything; for O(n log n) from n = 1,000; short runs are repeated until they can be timed",
       "each stated time is an upper bound: refuted if the fitted exponent's lower 95% limit exceeds the stated one by "
       "more than 0.15 somewhere (or brute force multiplies by less than 1.5 per point); holds if no upper limit does "
       "and every algorithm was timed at three sizes or more; otherwise undecided",

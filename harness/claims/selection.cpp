@@ -1,5 +1,7 @@
 #include "harness/claims/selection.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -96,7 +98,7 @@ std::optional<PowerLaw> growth_of(const Runs& runs, const RunValue& value, std::
 std::string exponent_text(const PowerLaw& law) {
   const auto shown = [](double exponent) { return fixed(std::abs(exponent) < 0.005 ? 0 : exponent, 2); };
   if (!law.has_interval) return shown(law.exponent.value);
-  return shown(law.exponent.value) + " (" + shown(law.exponent.lower) + " to " + shown(law.exponent.upper) + ")";
+  return fmt::format("{} ({} to {})", shown(law.exponent.value), shown(law.exponent.lower), shown(law.exponent.upper));
 }
 
 std::string significant(double value, int digits) {

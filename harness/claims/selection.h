@@ -33,7 +33,7 @@ using RunGroups = std::map<std::string, Runs>;
 /// Uniform, normal, clustered, and points from files (TSPLIB): what a user's points may look like.
 [[nodiscard]] bool is_typical(const RunRecord& run);
 
-/// Whether the triangulation is greedy's: of the report's literal version or of the fast one, which agree.
+/// Whether the triangulation is greedy's: of the source report's literal version or of the fast one, which agree.
 [[nodiscard]] bool is_greedy(const RunRecord& run);
 
 /// The upper ends of alpha. Precondition: rated runs.
@@ -51,7 +51,7 @@ using RunGroups = std::map<std::string, Runs>;
 using RunValue = std::function<std::optional<double>(const RunRecord&)>;
 [[nodiscard]] std::optional<PowerLaw> growth_of(const Runs& runs, const RunValue& value, std::size_t min_sizes = 3);
 
-/// "0.23 (0.22 to 0.24)", or the value alone where nothing is known of the noise.
+/// "0.23 (0.22 to 0.24)", or the value alone where the noise is unknown.
 [[nodiscard]] std::string exponent_text(const PowerLaw& law);
 
 /// With so many significant digits, never in scientific notation for what tables hold: 0.000612, 17.6, 100000.

@@ -1,4 +1,6 @@
 // C3: how many triangles a triangulation has.
+#include <fmt/core.h>
+
 #include <map>
 
 #include "harness/claims/report_claims.h"
@@ -20,8 +22,9 @@ Finding judge_triangle_count(const StudyRecords& records) {
   for (const RunRecord* run : finding.rows) agreeing += run->triangles == expected.at(run->instance_id) ? 1U : 0U;
   if (finding.rows.empty()) return finding;
   finding.verdict = agreeing == finding.rows.size() ? ClaimVerdict::reproduced : ClaimVerdict::refuted;
-  finding.measured = "so in " + grouped(agreeing) + " of " + grouped(finding.rows.size()) +
-                     " checked triangulations (h: points on the hull's boundary, collinear ones included)";
+  finding.measured =
+      fmt::format("so in {} of {} checked triangulations (h: points on the hull's boundary, collinear ones included)",
+                  grouped(agreeing), grouped(finding.rows.size()));
   return finding;
 }
 

@@ -1,5 +1,7 @@
 // C15: whether 4^n bounds the number of triangulations.
+#include <fmt/core.h>
 #include "harness/claims/report_claims.h"
+
 #include "harness/claims/triangulation_numbers.h"
 #include "harness/io/text/text.h"
 
@@ -22,12 +24,13 @@ Finding judge_triangulation_growth(const StudyRecords& records) {
     all_within = all_within && growth.factor.upper <= kClaimedFactor;
     figures += (figures.empty() ? "" : ", ") + family + " " + factor_text(growth.factor);
   }
-  finding.missing = "counts at three sizes of some family, from n = " + std::to_string(kMinCountedN);
+  finding.missing = fmt::format("counts at three sizes of some family, from n = {}", kMinCountedN);
   if (finding.rows.empty()) return finding;
   finding.missing = "some factor's interval holds 4; more sizes would narrow it";
   finding.verdict = some_above ? ClaimVerdict::refuted : all_within ? ClaimVerdict::holds : ClaimVerdict::undecided;
-  finding.measured = "each further point multiplies the number by " + figures + " (" + size_range(finding.rows) +
-                     "); 4 is the limit in convex position only";
+  finding.measured =
+      fmt::format("each further point multiplies the number by {} ({}); 4 is the limit in convex position only",
+                  figures, size_range(finding.rows));
   return finding;
 }
 

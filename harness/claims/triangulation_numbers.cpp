@@ -1,6 +1,8 @@
 // C11: the number of triangulations.
 #include "harness/claims/triangulation_numbers.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <optional>
 #include <set>
@@ -43,7 +45,7 @@ std::map<std::string, GrowthFactor> growth_factors(const Runs& runs, Index min_n
 }
 
 std::string factor_text(const Estimate& factor) {
-  return fixed(factor.value, 2) + " (" + fixed(factor.lower, 2) + " to " + fixed(factor.upper, 2) + ")";
+  return fmt::format("{:.2f} ({:.2f} to {:.2f})", factor.value, factor.lower, factor.upper);
 }
 
 std::string catalan_number(unsigned k) {
@@ -81,7 +83,7 @@ Finding judge_triangulation_numbers(const StudyRecords& records) {
     agreeing += run->triangulation_count == catalan ? 1U : 0U;
     largest = std::max(largest, run->n);
   }
-  finding.missing = "counts in convex position (circle, integer_circle), n at most " + std::to_string(kMaxPoints);
+  finding.missing = fmt::format("counts in convex position (circle, integer_circle), n at most {}", kMaxPoints);
   if (convex == 0) return finding;
   finding.missing = "counts on uniform points at three sizes, which would show that their number grows";
   const auto factors = growth_factors(finding.rows, 3);
@@ -90,8 +92,8 @@ Finding judge_triangulation_numbers(const StudyRecords& records) {
   finding.verdict = agreeing < convex ? ClaimVerdict::refuted
                     : grows           ? ClaimVerdict::reproduced
                                       : ClaimVerdict::undecided;
-  finding.measured = grouped(agreeing) + " of " + grouped(convex) +
-                     " counts in convex position, up to n = " + grouped(largest) + ", are the Catalan number C(n-2)";
+  finding.measured = fmt::format("{} of {} counts in convex position, up to n = {}, are the Catalan number C(n-2)",
+                                 grouped(agreeing), grouped(convex), grouped(largest));
   if (uniform != factors.end()) {
     finding.measured += "; uniform sets multiply by " + factor_text(uniform->second.factor) + " per point";
   }

@@ -1,5 +1,7 @@
-// C1, C2 and C9: the report's worked examples. Their point sets have so few triangulations that a weight to the printed
-// digits tells which one it is; worked_examples_test.cpp shows it.
+// C1, C2 and C9: the source report's worked examples. Their point sets have so few triangulations that a weight to the
+// printed digits tells which one it is; worked_examples_test.cpp shows it.
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
 
@@ -11,7 +13,7 @@ namespace mwt::claims {
 
 namespace {
 
-// A figure as the report prints it.
+// A figure as the source report prints it.
 struct Printed {
   double value;
   int digits;
@@ -37,8 +39,8 @@ Finding judge_weight(Runs runs, const Printed& printed) {
     if (!agrees(*run, printed)) finding.verdict = ClaimVerdict::refuted;
   }
   const RunRecord& first = *finding.rows.front();
-  finding.measured = "total " + fixed(first.weight_upper.value_or(0), 10) + ", " +
-                     std::to_string(first.triangles.value_or(0)) + " triangles";
+  finding.measured =
+      fmt::format("total {:.10f}, {} triangles", first.weight_upper.value_or(0), first.triangles.value_or(0));
   if (first.alpha_upper) finding.measured += "; alpha = " + fixed(*first.alpha_upper, 5);
   return finding;
 }
@@ -62,7 +64,7 @@ Finding judge_insertion(const StudyRecords& records) {
                                                }),
                                  kInsertionWeight);
   if (!finding.rows.empty() && finding.rows.front()->perimeter_sum) {
-    finding.measured += "; the sum of edge lengths, though the report calls it a sum of perimeters (that is " +
+    finding.measured += "; the sum of edge lengths, though the source report calls it a sum of perimeters (that is " +
                         fixed(*finding.rows.front()->perimeter_sum, 4) + ")";
   }
   return finding;
@@ -99,7 +101,7 @@ Finding judge_local_search(const StudyRecords& records) {
       finding.rows.push_back(run);
     }
   }
-  finding.missing = "a finished run from the report's start for each of max_flips = 0, 1, -1";
+  finding.missing = "a finished run from the source report's start for each of max_flips = 0, 1, -1";
   if (!all_there) return finding;
   const std::optional<double> flips = named_number(finding.rows.back()->counters, "flips");
   finding.measured += " in " + fixed(flips.value_or(0), 0) + " flips";
@@ -135,7 +137,7 @@ Claim local_search_example() {
   return {"C9",
           "The local search run of Figures 7-11: sums of perimeters 11.0751 -> 10.9347 -> 10.7929",
           "5.3.1",
-          "flip_naive on local_search_figure, from the report's start, after 0, 1 and all flips",
+          "flip_naive on local_search_figure, from the source report's start, after 0, 1 and all flips",
           "reproduced: the three sums round to the printed ones and the run ends after two flips; refuted: any differs",
           "mwt generate local_search_figure -o p.csv && mwt solve p.csv --algorithm flip_naive --param "
           "start=harness/studies/local_search_figure_start.csv",

@@ -1,5 +1,7 @@
 #include "harness/cli/command_line.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 
 #include <concepts>
@@ -37,7 +39,7 @@ void require_known_command(std::span<const Command> commands, int argument_count
   for (const Command& command : commands) {
     if (command.name == name) return;
   }
-  throw InputError("unknown command '" + name + "'; known: " + names_of(commands) + "; see mwt --help");
+  throw InputError(fmt::format("unknown command '{}'; known: {}; see mwt --help", name, names_of(commands)));
 }
 
 // CLI11 would take 0100 for 64 and wrap -1 around, so it is given texts only.

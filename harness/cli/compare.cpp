@@ -63,7 +63,7 @@ std::string text_of(const Settled& settled, const CompareArguments& options) {
 }
 
 template <class Result>
-int tell(const Result& result, const CompareArguments& options) {
+int print_verdict(const Result& result, const CompareArguments& options) {
   std::cout << (options.json ? json_of(result) : text_of(result, options));
   if (options.verdict) write_file_atomically(*options.verdict, json_of(result));
   return result.outcome() == Outcome::regression ? kExitNegative : kExitOk;
@@ -92,14 +92,14 @@ int compare_builds(const CompareArguments& options) {
   if (!builds.run(builds.cells(), options.repetitions)) return kExitInterrupted;
   CompareOptions how = compare_options(options);
   how.paired = true;
-  return tell(compare(read_results(builds.base_folder()), read_results(builds.new_folder()), how), options);
+  return print_verdict(compare(read_results(builds.base_folder()), read_results(builds.new_folder()), how), options);
 }
 
-/// Folders first; whatever they leave open is run by both builds in turn, and what these say counts.
+/// Folders first; what they leave open is run by both builds in turn, and these results count.
 int compare_and_settle(const CompareArguments& options) {
   Settled settled{compare_folders(options), std::nullopt, {}};
   std::set<TrackedCell> open = settled.folders.open_cells();
-  if (open.empty()) return tell(settled, options);
+  if (open.empty()) return print_verdict(settled, options);
   InterleavedBuilds builds = make_builds(options, read_study(find_study_file(*options.study)));
   const std::set<TrackedCell> known = builds.cells();
   std::set_difference(open.begin(), open.end(), known.begin(), known.end(),
@@ -109,12 +109,12 @@ int compare_and_settle(const CompareArguments& options) {
     settled.in_turn = settle(open, builds, options.repetitions, compare_options(options));
     if (!settled.in_turn) return kExitInterrupted;
   }
-  return tell(settled, options);
+  return print_verdict(settled, options);
 }
 
 int run(const CompareArguments& options) {
   if (options.json && options.markdown) throw InputError("give --json or --markdown, not both");
-  if (!options.build_a && !options.build_b) return tell(compare_folders(options), options);
+  if (!options.build_a && !options.build_b) return print_verdict(compare_folders(options), options);
   if (!options.build_a || !options.build_b) throw InputError("--build-a and --build-b belong together");
   if (!options.study) throw InputError("give --study: the study that the two builds run");
   return options.folders.empty() ? compare_builds(options) : compare_and_settle(options);

@@ -1,5 +1,7 @@
 #include "harness/cli/file_options.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -13,8 +15,8 @@ namespace {
 void require_no_input(const OutputOption& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
     if (!is_same_file(output.path, input == "-" ? "/dev/stdin" : input)) continue;
-    throw InputError(output.option + ' ' + output.path + " would overwrite the input (" + source_name(input) +
-                     "); give another name");
+    throw InputError(fmt::format("{} {} would overwrite the input ({}); give another name", output.option, output.path,
+                                 source_name(input)));
   }
 }
 
@@ -23,8 +25,8 @@ void require_no_other_output(const OutputOption& output, std::span<const OutputO
     if (is_standard_output(output.path) && is_standard_output(other.path))
       throw InputError(other.option + " and " + output.option + " both go to standard output; give one of them a file");
     if (is_same_file(output.path, other.path))
-      throw InputError(other.option + " and " + output.option + " both name " + output.path +
-                       "; give one another name");
+      throw InputError(
+          fmt::format("{} and {} both name {}; give one another name", other.option, output.option, output.path));
   }
 }
 

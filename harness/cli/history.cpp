@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <iostream>
 #include <memory>
 
@@ -24,8 +26,7 @@ struct HistoryArguments {
 };
 
 std::string changes_text(const std::vector<NightlyRun>& nightly_runs, const std::vector<Change>& changes) {
-  if (changes.empty())
-    return "no lasting change; nightly runs in the history: " + std::to_string(nightly_runs.size()) + '\n';
+  if (changes.empty()) return fmt::format("no lasting change; nightly runs in the history: {}\n", nightly_runs.size());
   std::string text;
   for (const Change& change : changes) text += describe(change, nightly_runs) + '\n';
   return text;

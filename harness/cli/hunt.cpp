@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -51,7 +53,7 @@ HuntPlan plan_of(const HuntArguments& options, const Catalogue& catalogue) {
   plan.solver = &solver_of(options, catalogue, plan.n);
   for (const AlgorithmInfo* info : {plan.request.algorithm, plan.solver}) {
     if (info->max_n != 0 && plan.n > info->max_n)
-      throw InputError(info->name + " takes at most " + std::to_string(info->max_n) + " points; give a smaller --n");
+      throw InputError(fmt::format("{} takes at most {} points; give a smaller --n", info->name, info->max_n));
   }
   plan.seed = options.seed;
   plan.climbers = options.threads;
@@ -59,8 +61,7 @@ HuntPlan plan_of(const HuntArguments& options, const Catalogue& catalogue) {
 }
 
 std::string output_of(const HuntArguments& options) {
-  std::string path =
-      options.output.value_or("hunted_" + options.algorithm + "_" + std::to_string(options.n.value_or(0)) + ".txt");
+  std::string path = options.output.value_or(fmt::format("hunted_{}_{}.txt", options.algorithm, options.n.value_or(0)));
   if (!path.ends_with(".txt") && !path.ends_with(".xy"))
     throw InputError(path + ": a hunt writes text with comments; give a name that ends in .txt or .xy");
   return path;
@@ -85,14 +86,14 @@ void require_fresh_or_resumed(const HuntArguments& options, const std::string& o
 }
 
 void write_instance(const std::string& path, const HuntPlan& plan, const HuntResult& result) {
-  std::string text = plan.identity() + "\n# alpha >= " + number_text(result.worst.alpha) + " (certified) after " +
-                     std::to_string(result.evaluations) + " evaluations\n";
+  std::string text = fmt::format("{}\n# alpha >= {} (certified) after {} evaluations\n", plan.identity(),
+                                 number_text(result.worst.alpha), result.evaluations);
   for (const Point& p : result.worst.points) text += number_text(p.x) + ' ' + number_text(p.y) + '\n';
   write_file_atomically(path, text);
 }
 
 std::string described(const HuntResult& result) {
-  return "alpha >= " + fixed(result.worst.alpha, 6) + " after " + std::to_string(result.evaluations) + " evaluations";
+  return fmt::format("alpha >= {:.6f} after {} evaluations", result.worst.alpha, result.evaluations);
 }
 
 int run_hunt(const HuntArguments& options) {
@@ -115,7 +116,7 @@ int run_hunt(const HuntArguments& options) {
   } catch (const DisprovedOptimum& failure) {
     fail_with_points(output, plan, failure);
   }
-  if (result.worst.points.empty()) throw InputError("no instance of n=" + std::to_string(plan.n) + " could be rated");
+  if (result.worst.points.empty()) throw InputError(fmt::format("no instance of n={} could be rated", plan.n));
   write_instance(output, plan, result);
   std::cout << options.algorithm << " n=" << plan.n << ": " << described(result) << "; written to " << output << '\n';
   return result.interrupted ? kExitInterrupted : kExitOk;

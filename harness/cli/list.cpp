@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <iostream>
 #include <memory>
 
@@ -39,7 +41,7 @@ std::string readable_text(std::span<const AlgorithmInfo> algorithms) {
 std::string readable_text(std::span<const GeneratorInfo> generators) {
   AlignedTable table({"family and parameters", "n", "what it is"}, {2});
   for (const GeneratorInfo& info : generators) {
-    const std::string sizes = info.fixed_n != 0 ? std::to_string(info.fixed_n) : ">= " + std::to_string(info.min_n);
+    const std::string sizes = info.fixed_n != 0 ? std::to_string(info.fixed_n) : fmt::format(">= {}", info.min_n);
     table.add_row({with_defaults(info.name, info.parameters), sizes, info.summary});
   }
   return table.text_within(output_width());

@@ -1,3 +1,4 @@
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ struct RunArguments {
 // Shards go to folders of their own.
 std::string default_folder(const Study& study, const Shard& shard) {
   std::string folder = "results/" + study.name;
-  if (shard.count > 1) folder += "-shard-" + std::to_string(shard.number) + "-of-" + std::to_string(shard.count);
+  if (shard.count > 1) folder += fmt::format("-shard-{}-of-{}", shard.number, shard.count);
   return folder;
 }
 

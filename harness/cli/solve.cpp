@@ -84,7 +84,7 @@ FoundOptimum cached(const CachedOptimum& earlier, const AlgorithmInfo& solver) {
   return found;
 }
 
-// What the cache has of the same solver; nothing if this solution disproves it: it is thrown out then.
+// What the cache has of the same solver; nothing if this solution disproves it, which removes it from the cache.
 std::optional<CachedOptimum> cached_of(OptimumCache& cache, const Instance& instance, const OptimumKey& key,
                                        const Interval& weight) {
   std::optional<CachedOptimum> earlier = cache.find(key);

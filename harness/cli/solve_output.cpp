@@ -1,5 +1,7 @@
 #include "harness/cli/solve_output.h"
 
+#include <fmt/core.h>
+
 #include "base/number_text.h"
 #include "harness/io/text/aligned_table.h"
 #include "harness/io/text/text.h"
@@ -10,7 +12,7 @@ namespace {
 
 std::string text_of(const Interval& interval) {
   if (interval.lower == interval.upper) return number_text(interval.lower);
-  return '[' + number_text(interval.lower) + ", " + number_text(interval.upper) + ']';
+  return fmt::format("[{}, {}]", number_text(interval.lower), number_text(interval.upper));
 }
 
 std::string text_of(const std::map<std::string, std::string>& parameters) {
@@ -21,8 +23,8 @@ std::string text_of(const std::map<std::string, std::string>& parameters) {
 
 std::string points_text(const SolveOutput& output) {
   std::string text = std::to_string(output.n);
-  if (output.duplicates > 0) text += ", " + std::to_string(output.distinct) + " distinct";
-  return text + ", " + std::to_string(output.hull_size) + " on the hull";
+  if (output.duplicates > 0) text += fmt::format(", {} distinct", output.distinct);
+  return fmt::format("{}, {} on the hull", text, output.hull_size);
 }
 
 void add_quality(AlignedTable& table, const RatedRun& run, bool optimum_cached) {
@@ -51,8 +53,8 @@ std::string readable_text(const SolveOutput& output) {
   const RatedRun& run = output.run;
   AlignedTable table({"algorithm", output.algorithm + text_of(output.parameters)}, {1});
   table.add_row({"points", points_text(output)});
-  table.add_row({"triangles", std::to_string(run.triangles.value_or(0)) +
-                                  (run.checker == "ok" ? ", checked" : ", NOT a triangulation")});
+  table.add_row({"triangles", fmt::format("{}{}", run.triangles.value_or(0),
+                                          run.checker == "ok" ? ", checked" : ", NOT a triangulation")});
   if (run.edges) table.add_row({"edges", std::to_string(*run.edges)});
   add_quality(table, run, output.optimum_cached);
   if (run.stop_reason) table.add_row({"stopped early", std::string(phrase_of(*run.stop_reason))});

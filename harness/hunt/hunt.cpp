@@ -1,5 +1,7 @@
 #include "harness/hunt/hunt.h"
 
+#include <fmt/core.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -102,16 +104,16 @@ std::vector<ClimberState> initial_states(const HuntPlan& plan, const std::string
   if (!std::filesystem::exists(state_file)) return std::vector<ClimberState>(static_cast<std::size_t>(plan.climbers));
   std::vector<ClimberState> states = read_hunt_state(state_file, plan.identity());
   if (states.size() != static_cast<std::size_t>(plan.climbers)) {
-    throw InputError(state_file + ": state of a hunt with " + std::to_string(states.size()) + " climbers, not " +
-                     std::to_string(plan.climbers));
+    throw InputError(
+        fmt::format("{}: state of a hunt with {} climbers, not {}", state_file, states.size(), plan.climbers));
   }
   const auto fits = [&](const RatedInstance& instance) {
     return instance.points.empty() || instance.points.size() == plan.n;
   };
   for (const ClimberState& state : states) {
     if (!fits(state.current) || !fits(state.best))
-      throw InputError(state_file + ": has an instance of another size than n=" + std::to_string(plan.n) +
-                       "; delete the file to begin anew");
+      throw InputError(fmt::format("{}: has an instance of another size than n={}; delete the file to begin anew",
+                                   state_file, plan.n));
   }
   return states;
 }
@@ -120,24 +122,23 @@ std::vector<ClimberState> initial_states(const HuntPlan& plan, const std::string
 
 std::string HuntPlan::identity() const {
   const std::string parameters = request.parameters.canonical();
-  return "# mwt hunt 1: " + request.algorithm->name + (parameters.empty() ? "" : " " + parameters) +
-         " algorithm_seed=" + std::to_string(request.seed) + " n=" + std::to_string(n) +
-         " seed=" + std::to_string(seed) + " threads=" + std::to_string(climbers) + " solver=" + solver->name;
+  return fmt::format("# mwt hunt 1: {}{} algorithm_seed={} n={} seed={} threads={} solver={}", request.algorithm->name,
+                     parameters.empty() ? "" : " " + parameters, request.seed, n, seed, climbers, solver->name);
 }
 
 HuntResult hunt(const HuntPlan& plan, const HuntLimits& limits, const std::string& state_file,
                 const std::function<void(const HuntResult&)>& has_improved) {
   const InterruptWatch watch;
   Expedition expedition(plan, limits, initial_states(plan, state_file));
-  double told = 0;
+  double reported = 0;
   bool goes_on = true;
   while (goes_on) {
     goes_on = expedition.wait();
     const std::vector<ClimberState> states = expedition.states();
     write_hunt_state(state_file, plan.identity(), states);
     const HuntResult result = result_of(states);
-    if (result.worst.alpha > told) has_improved(result);
-    told = result.worst.alpha;
+    if (result.worst.alpha > reported) has_improved(result);
+    reported = result.worst.alpha;
   }
   HuntResult result = result_of(expedition.states());
   result.interrupted = InterruptWatch::requested();

@@ -36,10 +36,10 @@ struct HuntResult {
 };
 
 /// Runs the climbers until a limit or an interrupt, keeping their state in `state_file`, written every second and at
-/// the end, complete or not at all: after kill -9 a second is lost. `has_improved` hears of every better instance at
+/// the end, complete or not at all: after kill -9 a second is lost. `has_improved` is called with better instances, at
 /// most once a second, in the calling thread.
 ///
-/// If `state_file` exists the hunt goes on from there; InputError if it is another hunt's or damaged.
+/// If `state_file` exists, the hunt goes on from there; throws InputError if it is another hunt's or damaged.
 /// std::logic_error from an oracle ends the hunt.
 [[nodiscard]] HuntResult hunt(const HuntPlan& plan, const HuntLimits& limits, const std::string& state_file,
                               const std::function<void(const HuntResult&)>& has_improved);

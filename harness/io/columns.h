@@ -40,7 +40,7 @@ void read_text(const std::string& text, Whole& value) {
   if (!number) throw std::invalid_argument(text);
   value = *number;
 }
-// No measure is infinite or not a number: a field that says so is damaged.
+// No measure is infinite or not a number: such a field is damaged.
 inline void read_text(const std::string& text, double& value) {
   const std::optional<double> number = parse_number(text);
   if (!number || !std::isfinite(*number)) throw std::invalid_argument(text);

@@ -1,5 +1,7 @@
 #include "harness/io/given_triangulation.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -27,9 +29,9 @@ std::optional<std::string> corner_out_of_range(const std::vector<Triangle>& tria
     for (const Index corner : triangles[t]) {
       if (corner < point_count) continue;
       const bool from_one = seem_to_count_from_one(triangles, point_count);
-      return std::string(name_of(TriangulationRule::indices_in_range)) + ": triangle " + std::to_string(t) +
-             " has corner " + std::to_string(corner) + ", but points go from 0 to " + std::to_string(point_count - 1) +
-             (from_one ? "; the corners seem to count from 1: subtract 1 from each" : "");
+      return fmt::format("{}: triangle {} has corner {}, but points go from 0 to {}{}",
+                         name_of(TriangulationRule::indices_in_range), t, corner, point_count - 1,
+                         from_one ? "; the corners seem to count from 1: subtract 1 from each" : "");
     }
   }
   return std::nullopt;

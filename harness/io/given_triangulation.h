@@ -1,5 +1,5 @@
-// Triangulations that a user gives as a file: corners are positions in the point file, and nothing is believed
-// unchecked.
+// Triangulations that a user gives as a file: corners are positions in the point file, and everything is
+// checked.
 #pragma once
 
 #include <optional>

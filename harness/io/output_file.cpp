@@ -1,6 +1,7 @@
 #include "harness/io/output_file.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,7 +42,7 @@ std::string resolved(const std::string& path) {
 std::string temporary_name(const std::string& target) {
   static std::atomic<unsigned> counter{0};
   std::string name(kTemporaryBegin);
-  name += std::to_string(::getpid()) + '-' + std::to_string(counter++);
+  name += fmt::format("{}-{}", ::getpid(), counter++);
   name += kTemporaryEnd;
   return std::filesystem::path(target).replace_filename(name).string();
 }
@@ -160,7 +161,7 @@ void require_fitting_ending(const std::string& path, std::initializer_list<std::
   const std::string ending = lower_case(std::filesystem::path(path).extension().string());
   const bool is_known = std::find(kKnownEndings.begin(), kKnownEndings.end(), ending) != kKnownEndings.end();
   if (!is_known || std::find(endings.begin(), endings.end(), ending) != endings.end()) return;
-  throw InputError(path + ": " + content + "; give it a name that ends in " + std::string(*endings.begin()));
+  throw InputError(fmt::format("{}: {}; give it a name that ends in {}", path, content, *endings.begin()));
 }
 
 void require_writable(const std::string& path) {

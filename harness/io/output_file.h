@@ -49,7 +49,7 @@ class OutputFile {
 [[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
 
 /// Throws InputError if the name promises a format that is written otherwise: an ending (in either case) that is well
-/// known and not among `endings`. `content` says what is written, as in "a picture is written as SVG".
+/// known and not among `endings`. `content` describes what is written, as in "a picture is written as SVG".
 void require_fitting_ending(const std::string& path, std::initializer_list<std::string_view> endings,
                             const std::string& content);
 

@@ -1,5 +1,7 @@
 #include "harness/io/progress.h"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 #include "harness/io/text/text.h"
@@ -62,12 +64,11 @@ void Progress::show() {
 
 std::string Progress::status() const {
   const std::chrono::duration<double> elapsed = Clock::now() - begin_;
-  std::string line =
-      title_ + ' ' + std::to_string(done_) + '/' + std::to_string(total_) + ", " + std::to_string(failed_) + " failed";
+  std::string line = fmt::format("{} {}/{}, {} failed", title_, done_, total_, failed_);
   if (is_finished_) return line + ", took " + readable_duration(elapsed.count());
   if (done_ > 0) {
     const double rate = static_cast<double>(done_) / elapsed.count();
-    line += ", " + fixed(rate, 1) + "/s, " + readable_duration(static_cast<double>(total_ - done_) / rate) + " left";
+    line += fmt::format(", {:.1f}/s, {} left", rate, readable_duration(static_cast<double>(total_ - done_) / rate));
   }
   return line + (what_.empty() ? "" : ", last: " + what_);
 }

@@ -1,5 +1,7 @@
 #include "harness/io/svg.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,7 +9,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/number_text.h"
 #include "base/unicode.h"
 #include "geometry/convex_hull.h"
 #include "harness/io/output_file.h"
@@ -17,7 +18,7 @@ namespace mwt {
 namespace {
 
 // Black, pale blue and vermilion, after Okabe and Ito's palette for the colour-blind. The lines carry their colours as
-// attributes as well, for programs that know no style sheets.
+// attributes as well, for programs without style sheets.
 constexpr std::string_view kStyle =
     "<style>\n"
     ".background{fill:#ffffff}.line{fill:none;stroke-linecap:round;stroke-linejoin:round}\n"
@@ -99,8 +100,7 @@ Sizes sizes_for(double spacing_px) {
 void require_drawable(const SvgPicture& picture) {
   if (picture.points.empty()) throw InputError("picture: no points to draw");
   if (picture.width_px < kMinWidthPx) {
-    throw InputError("picture: a width of " + std::to_string(picture.width_px) + " px; use at least " +
-                     std::to_string(kMinWidthPx));
+    throw InputError(fmt::format("picture: a width of {} px; use at least {}", picture.width_px, kMinWidthPx));
   }
   for (const Point& p : picture.points) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw InputError("picture: a coordinate is not finite");
@@ -151,11 +151,10 @@ class SvgWriter {
 
  private:
   void begin() {
-    const std::string width = std::to_string(picture_.width_px);
-    std::string height;
-    append_fixed(height, std::ceil(mapping_.height_px()), 0);
-    file_.append("<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + width + "\" height=\"" + height +
-                 "\" viewBox=\"0 0 " + width + " " + height + "\">\n");
+    file_.append(fmt::format(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{0}" height="{1:.0f}" viewBox="0 0 {0} {1:.0f}">)"
+        "\n",
+        picture_.width_px, std::ceil(mapping_.height_px())));
     if (!picture_.title.empty()) file_.append("<title>" + escaped(picture_.title) + "</title>\n");
     file_.append(kStyle);
     file_.append("<rect class=\"background\" fill=\"#ffffff\" width=\"100%\" height=\"100%\"/>\n");
@@ -165,11 +164,9 @@ class SvgWriter {
     if (edges.empty()) return;
     begin_path(layer, colour, width_px);
     for (const Edge& edge : edges) {
-      std::string segment = "M";
-      append_position(segment, picture_.points[edge.a]);
-      segment += 'L';
-      append_position(segment, picture_.points[edge.b]);
-      file_.append(segment += '\n');
+      const Point a = mapping_.to_pixels(picture_.points[edge.a]);
+      const Point b = mapping_.to_pixels(picture_.points[edge.b]);
+      file_.append(fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}\n", a.x, a.y, b.x, b.y));
     }
     file_.append("\"/>\n");
   }
@@ -179,58 +176,36 @@ class SvgWriter {
     begin_path("hull", "#222222", 1.4 * sizes_.line);
     char command = 'M';
     for (const Index corner : picture_.hull) {
-      std::string segment(1, std::exchange(command, 'L'));
-      append_position(segment, picture_.points[corner]);
-      file_.append(segment += '\n');
+      const Point p = mapping_.to_pixels(picture_.points[corner]);
+      file_.append(fmt::format("{}{:.2f} {:.2f}\n", std::exchange(command, 'L'), p.x, p.y));
     }
     file_.append("Z\"/>\n");
   }
 
   void begin_path(std::string_view layer, std::string_view colour, double width_px) {
-    std::string start = "<path class=\"line ";
-    start.append(layer).append("\" fill=\"none\" stroke=\"").append(colour).append("\" stroke-width=\"");
-    append_fixed(start, width_px, 2);
-    file_.append(start += "\" d=\"");
+    file_.append(fmt::format(R"(<path class="line {}" fill="none" stroke="{}" stroke-width="{:.2f}" d=")", layer,
+                             colour, width_px));
   }
 
   void dots() {
-    std::string radius;
-    append_fixed(radius, sizes_.dot_radius, 2);
     file_.append("<g class=\"points\">\n");
     for (const Point& point : picture_.points) {
       const Point p = mapping_.to_pixels(point);
-      std::string dot = "<circle cx=\"";
-      append_fixed(dot, p.x, 2);
-      dot += "\" cy=\"";
-      append_fixed(dot, p.y, 2);
-      file_.append(dot.append("\" r=\"").append(radius).append("\"/>\n"));
+      file_.append(fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n", p.x, p.y, sizes_.dot_radius));
     }
     file_.append("</g>\n");
   }
 
   // Above and to the right of the dots, with a halo that keeps them readable across lines.
   void labels() {
-    std::string start = "<g class=\"labels\" font-size=\"";
-    append_fixed(start, sizes_.font, 1);
-    start += "\" stroke-width=\"";
-    append_fixed(start, sizes_.font / 4, 1);
-    file_.append(start += "\">\n");
+    file_.append(fmt::format("<g class=\"labels\" font-size=\"{:.1f}\" stroke-width=\"{:.1f}\">\n", sizes_.font,
+                             sizes_.font / 4));
     for (std::size_t i = 0; i < picture_.points.size(); ++i) {
       const Point p = mapping_.to_pixels(picture_.points[i]);
-      std::string label = "<text x=\"";
-      append_fixed(label, p.x + sizes_.dot_radius + 1, 2);
-      label += "\" y=\"";
-      append_fixed(label, p.y - sizes_.dot_radius - 1, 2);
-      file_.append(label.append("\">").append(std::to_string(i)).append("</text>\n"));
+      file_.append(fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n", p.x + sizes_.dot_radius + 1,
+                               p.y - sizes_.dot_radius - 1, i));
     }
     file_.append("</g>\n");
-  }
-
-  void append_position(std::string& text, const Point& point) const {
-    const Point p = mapping_.to_pixels(point);
-    append_fixed(text, p.x, 2);
-    text += ' ';
-    append_fixed(text, p.y, 2);
   }
 
   OutputFile& file_;
@@ -255,7 +230,7 @@ void write_svg(const std::string& path, Points points, const Triangulation& tria
   const std::vector<Edge> edges = edges_of(triangulation);
   const std::vector<Index> hull = convex_hull(points);
   SvgPicture picture{.points = points, .edges = edges, .hull = hull};
-  picture.title = "Triangulation of " + std::to_string(points.size()) + " points";
+  picture.title = fmt::format("Triangulation of {} points", points.size());
   picture.labels = points.size() <= kMaxLabels;
   write_svg(path, picture);
 }

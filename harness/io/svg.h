@@ -29,7 +29,7 @@ void require_picture_name(const std::string& path);
 /// Writes the picture. Precondition: at least one point, finite coordinates (of any magnitude), otherwise InputError.
 ///
 /// The y axis points up, x and y have the same scale. Very flat point sets get some height all the same. Lines and dots
-/// become thinner as points become denser; colours can be told apart by the colour-blind and in grey print, and follow
+/// become thinner as points become denser; colours differ for the colour-blind and in grey print, and follow
 /// the viewer's dark mode; no scripts, no fonts or images from elsewhere. Deterministic. Streams: O(1) memory besides
 /// the input. The file appears complete or not at all; `-` is standard output. Throws InputError if it cannot be
 /// written, and as require_picture_name() does.

@@ -6,8 +6,8 @@
 
 namespace mwt {
 
-/// How many columns text for standard output may have: what the environment variable COLUMNS says if it is set (a whole
-/// number from 20 on); on a terminal its width, or 80 if it does not tell; nothing, for no limit, into pipes and files.
+/// How many columns text for standard output may have: the environment variable COLUMNS if it is set (a whole
+/// number from 20 on); on a terminal its width, or 80 if that is unknown; nothing, for no limit, into pipes and files.
 [[nodiscard]] std::optional<std::size_t> output_width();
 
 }  // namespace mwt

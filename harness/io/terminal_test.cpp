@@ -47,7 +47,7 @@ TEST_F(Terminal, TellsItsWidth) {
   const int terminal = open(ptsname(controller), O_RDWR | O_NOCTTY);
   ASSERT_GE(terminal, 0);
   winsize size{};
-  EXPECT_EQ(width_on(terminal), 80U) << "a terminal that does not tell";
+  EXPECT_EQ(width_on(terminal), 80U) << "a terminal of unknown width";
   size.ws_col = 100;
   ASSERT_EQ(ioctl(terminal, TIOCSWINSZ, &size), 0);
   EXPECT_EQ(width_on(terminal), 100U);

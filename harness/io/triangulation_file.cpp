@@ -1,9 +1,10 @@
 #include "harness/io/triangulation_file.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <numeric>
 
-#include "base/number_text.h"
 #include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
 #include "harness/io/text/cell_text.h"
@@ -30,8 +31,9 @@ template <std::size_t kCorners>
 std::array<std::size_t, kCorners> find_columns(const TextTable& table) {
   const std::size_t width = table.columns().size();
   if (width < kCorners || (width > kCorners && table.header().empty())) {
-    table.fail(std::to_string(width) + " column(s) where there should be " + std::to_string(kCorners) +
-               "; name further columns in a header such as a,b,c,perimeter");
+    table.fail(
+        fmt::format("{} column(s) where there should be {}; name further columns in a header such as a,b,c,perimeter",
+                    width, kCorners));
   }
   std::array<std::size_t, kCorners> columns;
   std::iota(columns.begin(), columns.end(), std::size_t{0});
@@ -43,7 +45,7 @@ std::array<std::size_t, kCorners> find_columns(const TextTable& table) {
   }
   const bool begins_with_labels = !table.header().empty() && names_row_labels(table.header().front());
   if (named == kCorners || (named == 0 && !begins_with_labels)) return columns;
-  table.fail_in_header("the header does not tell which columns are the corners; call them " + corner_names<kCorners>());
+  table.fail_in_header("the header does not name the columns of the corners; call them " + corner_names<kCorners>());
 }
 
 template <std::size_t kCorners>
@@ -60,16 +62,6 @@ std::vector<Corners<kCorners>> read_corners(const std::string& path, const std::
   }
   if (rows.empty()) table.fail_as_a_whole("no " + what + " in it; write one per line, corners by index from 0");
   return rows;
-}
-
-void append_row(OutputFile& file, std::span<const Index> corners) {
-  std::string line;
-  for (const Index corner : corners) {
-    if (!line.empty()) line += ',';
-    append_integer(line, corner);
-  }
-  line += '\n';
-  file.append(line);
 }
 
 }  // namespace
@@ -90,7 +82,7 @@ void write_triangles(const std::string& path, std::span<const Triangle> triangle
   require_table_name(path);
   write_file_atomically(path, [&](OutputFile& file) {
     file.append("a,b,c\n");
-    for (const Triangle& triangle : triangles) append_row(file, triangle);
+    for (const auto& [a, b, c] : triangles) file.append(fmt::format("{},{},{}\n", a, b, c));
   });
 }
 
@@ -98,7 +90,7 @@ void write_edges(const std::string& path, std::span<const Edge> edges) {
   require_table_name(path);
   write_file_atomically(path, [&](OutputFile& file) {
     file.append("a,b\n");
-    for (const Edge& edge : edges) append_row(file, std::array{edge.a, edge.b});
+    for (const Edge& edge : edges) file.append(fmt::format("{},{}\n", edge.a, edge.b));
   });
 }
 

@@ -14,7 +14,7 @@
 
 namespace mwt {
 
-/// The triangles in the order of the file, corners as given: whether they are valid is for geometry/checker.h to say.
+/// The triangles in the order of the file, corners as given, valid or not: geometry/checker.h checks them.
 /// `-` is standard input. Throws InputError "file:line: what; remedy": unreadable, not an index, too few columns, too
 /// many without a header, no triangle at all. O(size of the file).
 [[nodiscard]] std::vector<Triangle> read_triangles(const std::string& path);

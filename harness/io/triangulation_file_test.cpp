@@ -44,7 +44,7 @@ TEST(TriangulationFile, IgnoresColumnsThatTheHeaderNames) {
 }
 
 TEST(TriangulationFile, AHeaderThatLeavesDoubtAboutTheCornersIsAnError) {
-  const std::string message = ":1: the header does not tell which columns are the corners; call them a, b and c";
+  const std::string message = ":1: the header does not name the columns of the corners; call them a, b and c";
   EXPECT_EQ(error("id,i,j,k\n1,9,2,4\n"), message);
   EXPECT_EQ(error("a,b,d\n9,2,4\n"), message);
   EXPECT_EQ(error("id,a,b,quality\n1,9,2,4\n"), message);

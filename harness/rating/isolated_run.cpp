@@ -83,7 +83,7 @@ RatedRun run_after(const ProcessResult& process) {
   RatedRun run =
       sent ? *std::move(sent)
            : failed(status_after(process.end), process.how.empty() ? "its result was unreadable" : process.how);
-  // What a failed run wrote to standard error may say more than its status.
+  // What a failed run wrote to standard error may explain its status.
   if (is_failure(run.status) && !process.error_tail.empty()) {
     run.message += "; standard error: " + process.error_tail;
   }

@@ -1,5 +1,7 @@
 #include "harness/rating/optimum_cache.h"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -24,14 +26,15 @@ constexpr std::size_t kMaxFile = std::size_t{1} << 16;  // bytes; far above any 
 
 // The file: what it is of, what is known, where that comes from, and a hash of all that.
 std::string head_of(const OptimumKey& key) {
-  return "mwt optimum 1\ninstance " + key.instance_id + "\nsolver " + key.solver + "\nversion " +
-         std::to_string(key.version) + "\nparameters " + key.parameters + '\n';
+  return fmt::format("mwt optimum 1\ninstance {}\nsolver {}\nversion {}\nparameters {}\n", key.instance_id, key.solver,
+                     key.version, key.parameters);
 }
 
 std::string content_of(const OptimumKey& key, const CachedOptimum& optimum) {
-  const std::string body = head_of(key) + "lower " + number_text(optimum.interval.lower) + "\nupper " +
-                           number_text(optimum.interval.upper) + "\nsolve_time_s " + number_text(optimum.solve_time_s) +
-                           "\nrecorded_at " + utc_now() + "\ngit_commit " + git_commit() + '\n';
+  const std::string body =
+      fmt::format("{}lower {}\nupper {}\nsolve_time_s {}\nrecorded_at {}\ngit_commit {}\n", head_of(key),
+                  number_text(optimum.interval.lower), number_text(optimum.interval.upper),
+                  number_text(optimum.solve_time_s), utc_now(), git_commit());
   return body + "hash " + short_hash(body) + '\n';
 }
 
@@ -145,7 +148,7 @@ OptimumCache::OptimumCache(std::string folder, std::function<void(const std::str
 }
 
 std::string OptimumCache::path_of(const OptimumKey& key) const {
-  return folder_ + '/' + key.instance_id + '-' + key.solver + '-' + short_hash(head_of(key)) + ".optimum";
+  return fmt::format("{}/{}-{}-{}.optimum", folder_, key.instance_id, key.solver, short_hash(head_of(key)));
 }
 
 std::optional<CachedOptimum> OptimumCache::find(const OptimumKey& key) {

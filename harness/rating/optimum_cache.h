@@ -27,7 +27,7 @@ struct CachedOptimum {
   double solve_time_s = 0;  ///< of the algorithm alone, when it was solved
 };
 
-/// Where the cache is unless a test or a caller says otherwise: $MWT_CACHE_DIR, else $XDG_CACHE_HOME/mwt/optima, else
+/// The default place of the cache: $MWT_CACHE_DIR, else $XDG_CACHE_HOME/mwt/optima, else
 /// $HOME/.cache/mwt/optima; variables that are empty, and XDG_CACHE_HOME if it is not absolute, count as unset. Empty
 /// if none is set.
 [[nodiscard]] std::string optimum_cache_folder();
@@ -36,18 +36,18 @@ struct CachedOptimum {
 ///
 /// Safe without a lock under concurrent writers, on several machines that share the folder too, and under kill -9: a
 /// file appears complete, by renaming, or not at all, and it ends in a hash of its content. Of two writers of one key
-/// the last one stands; what both wrote is true. A killed writer leaves at most a temporary file, which nobody reads
+/// the last one counts; what both wrote is true. A killed writer leaves at most a temporary file, which nobody reads
 /// and which the first store() of a later process removes once it is an hour old.
 ///
 /// Only proved optima are kept (Optimality::proved): they hold whatever the limits, bounds would not. A file that is
 /// torn, altered, of another key or not proved counts as absent and is replaced by the next store; so does whatever is
 /// no regular file (a fifo, a device, a link to nowhere): it is neither read nor written.
 ///
-/// The hash protects from accidents, not from intent: an entry with plausible numbers whose hash was made anew is
-/// believed, as a solver's word is, until a triangulation disproves it (discard_disproved()).
+/// The hash protects from accidents, not from intent: an entry with plausible numbers and a new hash counts like a
+/// solver's result, until a triangulation disproves it (discard_disproved()).
 ///
-/// Nothing here fails: a folder that cannot be written means no caching. Of each kind of trouble, the first is told to
-/// `warn`, in one line. Time per access: one small file. Not thread-safe: one object per thread.
+/// Nothing here fails: a folder that cannot be written means no caching. `warn` is called with one line for the first
+/// trouble of each kind. Time per access: one small file. Not thread-safe: one object per thread.
 class OptimumCache {
  public:
   OptimumCache(std::string folder, std::function<void(const std::string&)> warn);

@@ -1,5 +1,7 @@
 #include "harness/rating/optimum_claims.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "base/number_text.h"
@@ -9,9 +11,9 @@ namespace mwt {
 std::string cached_claimant(const std::string& solver) { return solver + " (optimum cache)"; }
 
 std::string Disproof::text() const {
-  return std::string(kContradiction) + ": " + claim.claimant + " certified that no triangulation weighs less than " +
-         number_text(claim.bounds.lower) + ", but " + (witness.empty() ? "its own" : "a checked one of " + witness) +
-         " weighs " + number_text(weight);
+  return fmt::format("{}: {} certified that no triangulation weighs less than {}, but {} weighs {}", kContradiction,
+                     claim.claimant, number_text(claim.bounds.lower),
+                     witness.empty() ? "its own" : "a checked one of " + witness, number_text(weight));
 }
 
 std::vector<Disproof> OptimumClaims::add_weight(const KnownWeight& known) {

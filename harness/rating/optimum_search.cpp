@@ -1,5 +1,7 @@
 #include "harness/rating/optimum_search.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -26,8 +28,8 @@ std::string summary_of(const RatedRun& run) {
     return std::string(name_of(run.status)) + (run.message.empty() ? "" : ", " + run.message);
   }
   if (!run.certified_lower) return "no bounds";
-  return "bounds " + number_text(*run.certified_lower) + " to " + number_text(run.weight_upper.value()) +
-         (run.stop_reason ? ", stopped early, " + std::string(phrase_of(*run.stop_reason)) : "");
+  return fmt::format("bounds {} to {}{}", number_text(*run.certified_lower), number_text(run.weight_upper.value()),
+                     run.stop_reason ? ", stopped early, " + std::string(phrase_of(*run.stop_reason)) : "");
 }
 
 // A search, however its sources are run.

@@ -31,12 +31,12 @@ struct FoundOptimum {
   std::string source;      ///< the algorithms whose bounds these are, joined by '+'
   double time_s = 0;       ///< of the search
   bool is_cached = false;  ///< from the optimum cache
-  std::string note;        ///< without a proved optimum, what each source that was asked said; kCachedNote if so
+  std::string note;        ///< without a proved optimum, the outcome of each source that ran; kCachedNote if cached
   std::vector<std::string> contradictions{};  ///< claims of sources that a triangulation disproves; in the note, too
-  std::vector<std::string> warnings{};        ///< about entries of the cache that are not believed
+  std::vector<std::string> warnings{};        ///< about entries of the cache that are ignored
 };
 
-/// The algorithms to ask for the optimum of n points, in order: those of `sources` whose limits admit n, or, if that
+/// The algorithms to run for the optimum of n points, in order: those of `sources` whose limits admit n, or, if that
 /// list is empty, every exact algorithm that does, the one that reaches furthest first. Algorithms for convex position
 /// come before all others there and are left out elsewhere. Throws InputError, naming the study file's line: unknown or
 /// not exact.
@@ -48,11 +48,11 @@ struct FoundOptimum {
 [[nodiscard]] OptimumKey optimum_key(const std::string& instance_id, const AlgorithmInfo& solver,
                                      const Parameters& parameters);
 
-/// Asks one source after the other, each in a process of its own, until one proves the optimum; bounds from those that
+/// Runs one source after the other, each in a process of its own, until one proves the optimum; bounds from those that
 /// do not are kept and combined. What the cache has for any of the sources comes first, what one of them proves goes
 /// into it; null: no cache. Claims that a triangulation disproves, the known one or that of another source, do not
 /// count; if one of them is in the cache, nothing there counts, the optimum is sought anew, and what is disproved in
-/// the end is thrown out. Precondition: the pool is not full.
+/// the end is removed from it. Precondition: the pool is not full.
 void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
                   std::vector<const AlgorithmInfo*> sources, const RunLimits& limits, OptimumCache* cache,
                   const std::optional<KnownWeight>& known, std::function<void(FoundOptimum)> when_done);

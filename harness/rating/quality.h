@@ -1,4 +1,4 @@
-// How good a triangulation is, as far as certified bounds allow to say: optimum, alpha, optimality.
+// How good a triangulation is, by certified bounds: optimum, alpha, optimality.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ enum class Optimality {
 [[nodiscard]] Optimality optimality_of(const std::optional<Interval>& optimum);
 
 /// The certified optimum that follows from a solver's bounds and the checked triangulation it returned: its weight is
-/// the upper end, whatever the solver claims. Nothing without a positive finite lower bound.
+/// the upper end, whatever bound the solver certified. Nothing without a positive finite lower bound.
 /// `contradiction` is set when the lower bound exceeds the triangulation's weight.
 struct WitnessedOptimum {
   std::optional<Interval> interval;
@@ -27,7 +27,7 @@ struct WitnessedOptimum {
 };
 [[nodiscard]] WitnessedOptimum witnessed_optimum(const std::optional<Interval>& claimed, const Interval& weight);
 
-/// What two certified intervals of one number say together; nothing if they contradict each other.
+/// The interval that follows from two certified intervals of one number; nothing if they contradict each other.
 [[nodiscard]] std::optional<Interval> intersection(const Interval& a, const Interval& b);
 
 /// Quotients of positive numbers rounded down and up: the tightest doubles that are certainly bounds.

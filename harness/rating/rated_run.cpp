@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxMessage = 1000;
 
-// What the checker and the certified sums say about a triangulation.
+// The results of the checker and of the certified sums for a triangulation.
 struct Judgement {
   std::optional<std::string> violation;  // the rest is meaningless if there is one
   Interval weight;
@@ -66,7 +66,7 @@ void clear_rating(RatedRun& run) {
   run.optimal.clear();
 }
 
-// A lower bound that says nothing is no claim.
+// A trivial lower bound is no claim.
 bool is_claim(const std::optional<double>& lower) { return lower && *lower > 0 && std::isfinite(*lower); }
 
 }  // namespace

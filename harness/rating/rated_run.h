@@ -72,10 +72,10 @@ std::vector<Disproof> add_run(OptimumClaims& claims, const std::string& id, cons
 /// Makes the run whose claim is disproved an error, without a rating.
 void reject(RatedRun& run, const Disproof& disproof);
 
-/// Whether the run says that what it certified is disproved.
+/// Whether the run is marked: what it certified is disproved.
 [[nodiscard]] bool is_disproved(const RatedRun& run);
 
-/// Ends a run: its status and one line that says why.
+/// Ends a run: its status and one line that states why.
 void fail(RatedRun& run, RunStatus status, const std::string& message);
 
 /// The optimum, if the run was rated by one.

@@ -1,5 +1,6 @@
 #include "harness/records/environment.h"
 
+#include <fmt/core.h>
 #include <sys/utsname.h>
 #include <unistd.h>
 
@@ -41,7 +42,7 @@ std::string operating_system() {
 std::string kernel() {
   utsname names{};
   if (uname(&names) != 0) return "";
-  return std::string(names.sysname) + ' ' + names.release + ' ' + names.machine;
+  return fmt::format("{} {} {}", names.sysname, names.release, names.machine);
 }
 
 std::optional<std::uint64_t> swap_used_bytes() {
@@ -74,16 +75,16 @@ EnvironmentRecord describe_environment(const std::string& study, int jobs, const
   record.jobs = jobs;
   record.shard = shard;
   record.throttle_events = throttle_events();
-  record.env_id = short_hash(csv_line(to_row(environment_columns(), record)) + std::to_string(getpid()));
+  record.env_id = short_hash(fmt::format("{}{}", csv_line(to_row(environment_columns(), record)), getpid()));
   return record;
 }
 
 std::string machine_of(const EnvironmentRecord& environment) {
   std::vector<std::string> parts;
   if (!environment.cpu_model.empty()) parts.push_back(environment.cpu_model);
-  if (environment.logical_cpus) parts.push_back(std::to_string(*environment.logical_cpus) + " CPUs");
+  if (environment.logical_cpus) parts.push_back(fmt::format("{} CPUs", *environment.logical_cpus));
   if (environment.memory_bytes) {
-    parts.push_back(std::to_string(std::lround(static_cast<double>(*environment.memory_bytes) / (1U << 30))) + " GiB");
+    parts.push_back(fmt::format("{} GiB", std::lround(static_cast<double>(*environment.memory_bytes) / (1U << 30))));
   }
   std::string machine;
   for (const std::string& part : parts) machine += (machine.empty() ? "" : ", ") + part;
@@ -97,13 +98,13 @@ std::vector<std::string> timing_warnings(const EnvironmentRecord& environment) {
   }
   if (environment.turbo == "on") warnings.push_back("turbo is on; times vary with heat and with the other CPUs' work");
   if (environment.jobs > 1) {
-    warnings.push_back(std::to_string(environment.jobs) +
-                       " runs side by side share caches and memory; times are comparable only with --jobs 1");
+    warnings.push_back(fmt::format(
+        "{} runs side by side share caches and memory; times are comparable only with --jobs 1", environment.jobs));
   }
   const double cpus = static_cast<double>(environment.logical_cpus.value_or(1));
   if (environment.load_1min && *environment.load_1min + environment.jobs > cpus) {
-    warnings.push_back("the machine is busy: load " + fixed(*environment.load_1min, 2) + " on " + fixed(cpus, 0) +
-                       " CPUs; times will be longer");
+    warnings.push_back(fmt::format("the machine is busy: load {:.2f} on {:.0f} CPUs; times will be longer",
+                                   *environment.load_1min, cpus));
   }
   if (environment.swap_used_bytes.value_or(0) > 0) warnings.push_back("swap is in use; large runs may be slowed by it");
   return warnings;

@@ -12,7 +12,7 @@ namespace mwt {
 [[nodiscard]] EnvironmentRecord describe_environment(const std::string& study, int jobs, const std::string& shard = "");
 
 /// What makes two machines the same for comparing times: processor, logical CPUs, memory to the gigabyte. Empty if the
-/// environment tells none of them.
+/// environment has none of them.
 [[nodiscard]] std::string machine_of(const EnvironmentRecord& environment);
 
 /// What about the machine makes its times doubtful, one line each: load, a governor other than performance, turbo,

@@ -11,7 +11,7 @@ namespace mwt {
 
 namespace {
 
-// A lower bound that says nothing is no claim.
+// A trivial lower bound is no claim.
 bool is_claim(const std::optional<double>& lower) { return lower && *lower > 0 && std::isfinite(*lower); }
 
 std::string solver_of(const RunRecord& run) { return name_with_parameters(run.algorithm, run.params); }

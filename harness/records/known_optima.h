@@ -1,4 +1,4 @@
-// What a study has certified so far about the optimum of every instance, and what that says about its rows.
+// What a study has certified so far about the optimum of every instance, and its rows rated by that.
 #pragma once
 
 #include <map>
@@ -17,7 +17,7 @@ namespace mwt {
 class KnownOptima {
  public:
   /// Takes in what a row certifies: the optimum of an instance; the weight of a run that is ok, and what its algorithm
-  /// certified. Returns the claims that are disproved now, perhaps the row's own; they count no more.
+  /// certified. Returns the claims that are disproved now, perhaps the row's own; they no longer count.
   [[nodiscard]] std::vector<Disproof> add(const InstanceRecord& record);
   [[nodiscard]] std::vector<Disproof> add(const RunRecord& record);
 
@@ -34,7 +34,7 @@ class KnownOptima {
   std::map<std::string, OptimumClaims> instances_;
 };
 
-/// Whether the row says that its optimum is disproved.
+/// Whether the row is marked: its optimum is disproved.
 [[nodiscard]] bool is_disproved(const InstanceRecord& record);
 
 /// Makes the row of an instance one without an optimum.

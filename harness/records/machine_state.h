@@ -1,4 +1,4 @@
-// How busy a machine was while a study ran on it, as its records tell.
+// How busy a machine was while a study ran on it, computed from its records.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct MachineState {
 [[nodiscard]] MachineState machine_state_of(const std::vector<RunRecord>& runs,
                                             const std::vector<EnvironmentRecord>& environments);
 
-/// Whether the runs had a CPU for at least 95% of their time, or surely for less. Neither where no CPU times tell.
+/// Whether the runs had a CPU for at least 95% of their time, or surely for less. Both are false without CPU times.
 [[nodiscard]] bool was_idle(const MachineState& state);
 [[nodiscard]] bool was_busy(const MachineState& state);
 

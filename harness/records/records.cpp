@@ -1,5 +1,7 @@
 #include "harness/records/records.h"
 
+#include <fmt/core.h>
+
 #include <stdexcept>
 
 namespace mwt {
@@ -92,7 +94,7 @@ namespace {
 
 void require_interval(const std::optional<double>& lower, const std::optional<double>& upper, const std::string& name) {
   if (lower.has_value() != upper.has_value())
-    refuse_row("only one of " + name + "_lower and " + name + "_upper is there");
+    refuse_row(fmt::format("only one of {}_lower and {}_upper is there", name, name));
   if (lower && *lower > *upper) refuse_row(name + "_lower is above " + name + "_upper");
 }
 

@@ -1,6 +1,7 @@
 #include "harness/records/results_folder.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -35,7 +36,7 @@ std::vector<Record> records_of(const std::vector<CsvRow>& rows, const std::vecto
                                const std::string& file) {
   std::vector<Record> records;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::string line = file + ":" + std::to_string(i + 2);
+    const std::string line = fmt::format("{}:{}", file, i + 2);
     try {
       records.push_back(record_of(columns, rows[i]));
     } catch (const std::invalid_argument& mistake) {
@@ -43,8 +44,9 @@ std::vector<Record> records_of(const std::vector<CsvRow>& rows, const std::vecto
                        "; mend it, or delete the line and let mwt run --resume run it again");
     }
     if (records.back().schema_version != kSchemaVersion) {
-      throw InputError(line + ": a row of schema version " + std::to_string(records.back().schema_version) + ", not " +
-                       std::to_string(kSchemaVersion) + "; use the mwt that wrote it, or delete the line");
+      throw InputError(
+          fmt::format("{}: a row of schema version {}, not {}; use the mwt that wrote it, or delete the line", line,
+                      records.back().schema_version, kSchemaVersion));
     }
   }
   return records;
@@ -55,8 +57,8 @@ void require_each_once(const std::vector<RunRecord>& runs, const std::string& fi
   std::set<std::string> ids;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (runs[i].run_id.empty() || ids.insert(runs[i].run_id).second) continue;
-    throw InputError(file + ":" + std::to_string(i + 2) + ": the run " + runs[i].run_id +
-                     " is there twice; delete one of its lines");
+    throw InputError(
+        fmt::format("{}:{}: the run {} is there twice; delete one of its lines", file, i + 2, runs[i].run_id));
   }
 }
 
@@ -116,8 +118,7 @@ bool require_this_study(const std::string& folder, const std::string& study_file
   if (!fs::exists(copy)) {
     if (holds_only_traces_of_a_start(folder)) return false;
     throw InputError(folder +
-                     ": has things in it, but no study.toml that tells of which study; choose another folder"
-                     " with --out");
+                     ": is not empty, but has no study.toml that names its study; choose another folder with --out");
   }
   if (read_regular_file(copy) == study_file) return true;
   throw InputError(folder + ": its study.toml differs from this study; choose another folder with --out");

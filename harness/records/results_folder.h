@@ -10,7 +10,7 @@
 
 namespace mwt {
 
-/// While one lives, no other process gets one on the same folder.
+/// While this object lives, no other process can lock the same folder.
 class FolderLock {
  public:
   /// Makes the folder if it is missing. Throws InputError: it cannot be made, or another process holds its lock.
@@ -31,8 +31,8 @@ class FolderLock {
 ///
 /// Files are append-only but for one case: rows that a disproved claim made wrong are replaced (settle()).
 ///
-/// Throws InputError: the folder holds something and `resume` is false; it is another study's, or nothing tells whose;
-/// it is in use; it cannot be written. Nothing that was there is changed then.
+/// Throws InputError: the folder holds something and `resume` is false; it is another study's, or no study.toml names
+/// its study; it is in use; it cannot be written. Nothing that was there is changed then.
 class ResultsFolder {
  public:
   /// `study_file`: the content of the study file.

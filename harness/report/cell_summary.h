@@ -1,4 +1,4 @@
-// What can be said about a cell: values with the intervals that the number of observations allows.
+// The summary of a cell: values, with intervals where there are enough observations.
 #pragma once
 
 #include <optional>

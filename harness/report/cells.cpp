@@ -25,7 +25,7 @@ struct Observed {
     if (run.wall_time_s) times.push_back(*run.wall_time_s);
     if (run.wall_time_s && run.delaunay_time_s) over_delaunay.push_back(*run.wall_time_s / *run.delaunay_time_s);
     if (run.peak_rss_bytes) peaks.push_back(static_cast<double>(*run.peak_rss_bytes));
-    // Against a mere lower bound alpha would say more about the bound than about the algorithm.
+    // Against a mere lower bound, alpha would depend more on the bound than on the algorithm.
     if (!run.alpha_upper || run.optimality != "proved") return;
     alphas.push_back(*run.alpha_upper);
     all_optimal = all_optimal && run.optimal == "yes";

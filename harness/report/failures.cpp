@@ -1,5 +1,7 @@
 #include "harness/report/failures.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -64,7 +66,7 @@ std::string failure_table(const std::vector<RunRecord>& runs) {
   for (std::size_t i = 0; i < std::min(ordered.size(), kMaxLines); ++i) table.add_row(row_of(ordered[i]));
   if (table.is_empty()) return "";
   const std::size_t left_out = ordered.size() - std::min(ordered.size(), kMaxLines);
-  return table.text() + (left_out == 0 ? "" : std::to_string(left_out) + " more kinds of failure: see runs.csv\n");
+  return table.text() + (left_out == 0 ? "" : fmt::format("{} more kinds of failure: see runs.csv\n", left_out));
 }
 
 std::string stopped_early_table(const std::vector<RunRecord>& runs) {

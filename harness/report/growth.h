@@ -15,7 +15,7 @@ inline constexpr std::size_t kMinSizes = 3;
 
 /// Whether the medians of the sizes lie on a power law. `no`: the F test of lack of fit rejects at 1%, and the law
 /// misses some median by more than a tenth; its exponent is then the slope of a line through a curve, and the
-/// exponent's interval says nothing about other sizes. Smaller misfits are shown by precise measurements of anything.
+/// exponent's interval does not extend to other sizes. Precise measurements of anything show smaller misfits.
 enum class Fit { yes, no, untested };
 
 struct Growth {

@@ -1,5 +1,7 @@
 #include "harness/report/growth_laws.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,7 +18,7 @@ namespace {
 
 constexpr double kWidestAlpha = .01;  // relative width of a certified alpha that still counts
 
-// Certified alphas of the instances that a law speaks of, by n.
+// Certified alphas of the instances to which a law applies, by n.
 using Alphas = std::multimap<Index, Interval>;
 
 Alphas alphas_for(const GeneratorInfo& family, const GrowthLaw& law, const std::vector<RunRecord>& runs,
@@ -108,7 +110,7 @@ std::string with_parameters(const std::string& name, const std::map<std::string,
 }
 
 std::string interval_text(double lower, double upper, int decimals) {
-  return '[' + fixed(lower, decimals) + ", " + fixed(upper, decimals) + ']';
+  return fmt::format("[{}, {}]", fixed(lower, decimals), fixed(upper, decimals));
 }
 
 }  // namespace
@@ -145,7 +147,7 @@ std::string growth_law_table(const std::vector<LawFinding>& findings) {
     const std::string measured = is_power ? fixed(finding.measured.value, 3) + ' ' + interval : interval;
     table.add_row({with_parameters(finding.family->name, law.parameters),
                    with_parameters(law.algorithm, law.algorithm_parameters),
-                   std::to_string(finding.min_n) + ".." + std::to_string(finding.max_n), std::to_string(finding.sizes),
+                   fmt::format("{}..{}", finding.min_n, finding.max_n), std::to_string(finding.sizes),
                    (is_power ? "exponent " : "alpha ") + interval_text(law.lowest, law.highest, is_power ? 2 : 4),
                    is_known ? measured : "-", std::string(name_of(finding.agreement))});
   }

@@ -21,7 +21,7 @@ enum class Agreement {
 };
 [[nodiscard]] std::string_view name_of(Agreement agreement);
 
-/// One law and what the study says about it.
+/// One law and what was measured in the study.
 struct LawFinding {
   const GeneratorInfo* family = nullptr;
   const GrowthLaw* law = nullptr;
@@ -41,8 +41,8 @@ struct LawFinding {
 /// Laws whose algorithm the catalogue lacks throw InputError.
 [[nodiscard]] std::vector<LawFinding> test_growth_laws(const std::vector<RunRecord>& runs, const Catalogue& catalogue);
 
-/// One line per law: family, algorithm, sizes, what the law says, what was measured, whether both agree. Empty without
-/// findings.
+/// One line per law: family, algorithm, sizes, what the law states, what was measured, whether both agree. Empty
+/// without findings.
 [[nodiscard]] std::string growth_law_table(const std::vector<LawFinding>& findings);
 
 }  // namespace mwt

@@ -93,7 +93,7 @@ Labels::Labels(const std::vector<Cell>& cells) {
   algorithms_ = labels_of(algorithm_runs);
 }
 
-// A file's parameter is its name, which says more than "file".
+// A file's parameter is its name, which is more useful than "file".
 std::string Labels::family(const CellKey& key) const {
   if (key.generator == kFileGenerator) {
     const std::map<std::string, std::string> parameters = parse_canonical(key.generator_params);

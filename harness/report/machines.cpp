@@ -1,5 +1,7 @@
 #include "harness/report/machines.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 
@@ -14,12 +16,12 @@ namespace {
 std::string name_of(const EnvironmentRecord& environment) {
   const std::string machine = machine_of(environment);
   const std::string name = machine.empty() ? "an unknown machine" : machine;
-  return environment.jobs == 1 ? name : name + ", " + std::to_string(environment.jobs) + " runs side by side";
+  return environment.jobs == 1 ? name : fmt::format("{}, {} runs side by side", name, environment.jobs);
 }
 
 std::string list_of(const std::map<std::string, std::size_t>& runs) {
   std::vector<std::string> parts;
-  for (const auto& [name, count] : runs) parts.push_back(name + " (" + std::to_string(count) + " successful runs)");
+  for (const auto& [name, count] : runs) parts.push_back(fmt::format("{} ({} successful runs)", name, count));
   return joined(parts, "; ");
 }
 
@@ -71,12 +73,12 @@ std::vector<std::string> keep_times_of_one_machine(StudyRecords& records) {
   }
   std::vector<std::string> warnings;
   if (on_machine.size() > 1) {
-    warnings.push_back("runs of " + std::to_string(on_machine.size()) + " machines: " + list_of(on_machine) +
-                       "; all times here are those of " + chosen + " alone");
+    warnings.push_back(fmt::format("runs of {} machines: {}; all times here are those of {} alone", on_machine.size(),
+                                   list_of(on_machine), chosen));
   }
   if (by_build.size() > 1) {
-    warnings.push_back("runs of " + std::to_string(by_build.size()) +
-                       " builds of mwt, whose times are taken together: " + list_of(by_build));
+    warnings.push_back(fmt::format("runs of {} builds of mwt, whose times are taken together: {}", by_build.size(),
+                                   list_of(by_build)));
   }
   const MachineState state = machine_state_of(records.runs, {});
   if (was_busy(state)) {

@@ -1,4 +1,4 @@
-// Times of different machines say nothing together: a report's times are those of one.
+// Times of different machines cannot be compared: the times of a report are those of one machine.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ namespace mwt {
 /// equal numbers the first by name). Runs side by side count as another machine: they disturb each other. Everything
 /// else about the runs stays.
 ///
-/// Returns what the reader must be told, one line each; nothing if one machine and one build ran all of them. Runs of
-/// several builds are told, too; their times stay, for whoever resumed a study with another build wanted that. So is a
-/// machine that was busy with other programs: wall times are longer then, those of long runs most.
+/// Returns warnings for the reader, one line each; none if one machine and one build ran all of them. Runs of several
+/// builds are a warning, too, but their times stay, since the user chose to resume the study with another build. So is
+/// a machine that was busy with other programs: wall times are longer then, those of long runs most.
 [[nodiscard]] std::vector<std::string> keep_times_of_one_machine(StudyRecords& records);
 
 }  // namespace mwt

@@ -27,11 +27,11 @@ struct ReportData {
 /// Throws InputError as read_records(), and if there are no runs yet.
 [[nodiscard]] ReportData read_report_data(const std::string& folder);
 
-/// One part of a report: prints to `out`, or writes files in the folder and says so. To add one: its function, and its
-/// line in report_tables() or report_results().
+/// One part of a report: prints to `out`, or writes files in the folder and prints their names. To add one: its
+/// function, and its line in report_tables() or report_results().
 using ReportPart = std::function<void(const ReportData& data, std::ostream& out)>;
 
-/// All numbers as tables, pages of them; in the order in which a reader wants them.
+/// All numbers as tables, pages of them; the most useful first.
 [[nodiscard]] std::vector<ReportPart> report_tables();
 
 /// What follows from the numbers, a page at most: files for programs, verdicts.

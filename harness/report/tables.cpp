@@ -1,5 +1,7 @@
 #include "harness/report/tables.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -132,7 +134,7 @@ std::string fit_text(const Growth& growth) {
 std::vector<std::string> growth_cells(const std::optional<Growth>& growth) {
   if (!growth) return {kNothing, kNothing, kNothing, kNothing, kNothing};
   const PowerLaw& law = growth->law;
-  return {std::to_string(growth->min_n) + " .. " + std::to_string(growth->max_n),
+  return {fmt::format("{} .. {}", growth->min_n, growth->max_n),
           fixed(without_sign_of_zero(law.exponent.value), kExponentDigits),
           law.has_interval ? range(law.exponent, kExponentDigits) : kNothing, fixed(law.r_squared, kExponentDigits),
           fit_text(*growth)};

@@ -12,7 +12,7 @@ constexpr std::size_t kNumbers = 8000;
 
 }  // namespace
 
-void BranchHistory::forget() {
+void BranchHistory::overwrite() {
   numbers_.resize(kNumbers);
   std::generate(numbers_.begin(), numbers_.end(), [this] { return static_cast<std::uint32_t>(random_()); });
   std::sort(numbers_.begin(), numbers_.end());

@@ -1,5 +1,5 @@
-// Makes the processor's branch prediction forget what was executed, so that work can be repeated without becoming
-// faster than it is when executed once.
+// Overwrites the state of the processor's branch prediction, so that repeated work does not become faster than work
+// that is executed once.
 #pragma once
 
 #include <random>
@@ -15,7 +15,7 @@ class BranchHistory {
  public:
   /// Sorts new random numbers: about 50,000 branches that nothing predicts take the place of what was recorded. Takes
   /// about half a millisecond.
-  void forget();
+  void overwrite();
 
  private:
   std::mt19937 random_;

@@ -1,5 +1,7 @@
 #include "harness/run/catalogue.h"
 
+#include <fmt/core.h>
+
 #include <new>
 
 #include "algorithms/registry.h"
@@ -12,7 +14,7 @@ namespace mwt {
 
 namespace {
 
-// The points, copies of them while they are made, checked and told apart, and their hull.
+// The points, copies of them while they are made, checked and compared, and their hull.
 constexpr std::uint64_t kBytesPerPoint = 100;
 
 template <class Info>
@@ -22,7 +24,7 @@ const Info& find(std::span<const Info> entries, const std::string& kind, const s
     if (entry.name == name) return entry;
     known += (known.empty() ? "" : ", ") + entry.name;
   }
-  throw InputError("unknown " + kind + " '" + name + "'; known: " + known);
+  throw InputError(fmt::format("unknown {} '{}'; known: {}", kind, name, known));
 }
 
 }  // namespace
@@ -41,10 +43,10 @@ std::vector<Point> generate_points(const GeneratorInfo& family, Index n, std::ui
                                    const Parameters& parameters) {
   const std::uint64_t needed = kBytesPerPoint * n;
   const std::uint64_t available = kilobytes_in("/proc/meminfo", "MemAvailable:").value_or(needed / 1024) * 1024;
-  const std::string what = family.name + " n=" + std::to_string(n);
+  const std::string what = fmt::format("{} n={}", family.name, n);
   if (needed > available) {
-    throw NotEnoughMemory(what + ": needs about " + std::to_string(needed >> 30) + " GB of memory, but " +
-                          std::to_string(available >> 30) + " GB are free; choose a smaller n");
+    throw NotEnoughMemory(fmt::format("{}: needs about {} GB of memory, but {} GB are free; choose a smaller n", what,
+                                      needed >> 30, available >> 30));
   }
   try {
     return generate_verified(family, n, seed, parameters);

@@ -13,7 +13,7 @@
 
 namespace mwt {
 
-/// Points as algorithms see them, with what every record says about them.
+/// Points as algorithms get them, with what every record has of them.
 struct Instance {
   PointSet set;
   std::string id;       ///< content hash
@@ -44,7 +44,7 @@ struct Execution {
   std::uint64_t iterations = 1;  ///< executions by which the times were taken
 };
 
-/// The solution alone, with nothing measured: as often as one likes, from any thread. Throws what the algorithm throws.
+/// The solution alone, with nothing measured; may be called from any thread. Throws what the algorithm throws.
 [[nodiscard]] Execution solve_unmeasured(const Request& request, Points points);
 
 /// One execution. Throws what the algorithm throws; in particular NotApplicable. The algorithm may make tables of up to
@@ -52,7 +52,7 @@ struct Execution {
 [[nodiscard]] Execution execute_once(const Request& request, Points points);
 
 /// As many executions as it takes to time one: exactly one if that uses `min_time_s` of CPU time, else as
-/// time_repeatedly() says. For repeated ones the times include releasing the previous solution.
+/// time_repeatedly() does. For repeated ones the times include releasing the previous solution.
 [[nodiscard]] Execution execute_repeatedly(const Request& request, Points points, double min_time_s);
 
 }  // namespace mwt

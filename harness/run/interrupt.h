@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM as a question that loops ask.
+// Ctrl-C and SIGTERM as a flag that loops read.
 #pragma once
 
 namespace mwt {

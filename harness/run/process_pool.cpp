@@ -1,6 +1,7 @@
 #include "harness/run/process_pool.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -179,13 +180,13 @@ struct ProcessPool::Child {
     ProcessResult result{ProcessEnd::crashed, output, one_line(errors), ""};
     if (WIFSIGNALED(wait_status)) {
       const int number = WTERMSIG(wait_status);
-      result.how = "signal " + std::to_string(number) + " (" + strsignal(number) + ")";
+      result.how = fmt::format("signal {} ({})", number, strsignal(number));
       if (number == SIGKILL) result.end = ProcessEnd::killed;
       if (stopped || number == SIGXCPU) result.end = ProcessEnd::stopped_at_limit;  // SIGXCPU: by a shell's ulimit -t
     } else if (WEXITSTATUS(wait_status) == 0 && !output.empty()) {
       result.end = ProcessEnd::finished;
     } else {
-      result.how = "exit code " + std::to_string(WEXITSTATUS(wait_status)) + " without a result";
+      result.how = fmt::format("exit code {} without a result", WEXITSTATUS(wait_status));
     }
     return result;
   }

@@ -53,7 +53,7 @@ RepeatedTiming time_repeatedly(const std::function<void()>& work, double min_tim
            process_cpu_time_s() - cpu_start >= kMaxCpuTime * min_time_s;
   };
   while (executions.size() < kMinExecutions || !is_enough()) {
-    history.forget();
+    history.overwrite();
     executions.push_back(time_once(work));
     sum.wall_s += executions.back().wall_s;
     sum.cpu_s += executions.back().cpu_s;

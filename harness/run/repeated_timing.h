@@ -13,7 +13,7 @@ struct RepeatedTiming {
 };
 
 /// Times one execution of `work`. If that used less than `min_time_s` of CPU time, it was too short: more follow, each
-/// timed by itself and after the branch prediction has forgotten the one before (branch_history.h), until they have
+/// timed by itself and after the branch history of the one before was overwritten (branch_history.h), until they have
 /// used min_time_s of CPU time together, or four times that with what lies between them; at least five. The first
 /// execution warmed caches and the allocator and does not count; the times are medians of the others, which short
 /// interruptions by other programs do not change. Each includes reading the clocks twice, about half a microsecond.

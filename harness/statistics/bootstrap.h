@@ -4,7 +4,7 @@
 // and the interval holds the middle `confidence` of these values (B. Efron, R. J. Tibshirani, "An Introduction to the
 // Bootstrap", 1993, chapter 13). They need no model of the noise, but observations that are independent; for very
 // small samples they are too short: of five observations, the percentile interval of the median covers the truth less
-// often than it says.
+// often than its nominal confidence.
 //
 // Deterministic: the same observations, options and seed give the same interval on every platform.
 // Time: `resamples` times that of the statistic.

@@ -19,7 +19,7 @@ constexpr double kGrid = 0.1;     // distance of levels in units of the noise
 constexpr long kGridReach = 20;   // levels to both sides of every value: 2 noises, beyond which none is worth having
 constexpr double kWidest = 1e12;  // of the series in units of the noise: so that levels are exact integers
 
-/// The standard deviation of the values as their differences over `lag` places tell it, for normal noise.
+/// The standard deviation of the values, estimated from their differences over `lag` places, for normal noise.
 double noise_at_lag(std::span<const double> series, std::size_t lag) {
   std::vector<double> sizes;
   for (std::size_t i = lag; i < series.size(); ++i) sizes.push_back(std::fabs(series[i] - series[i - lag]));

@@ -9,8 +9,8 @@
 // (Viterbi).
 //
 // The noise is estimated from the series itself: the largest of the robust standard deviations (median of absolute
-// values) of its differences over 1 to 5 places, divided by sqrt(2). Neither steps nor spikes sway it much, and looking
-// further than the neighbour sees noise that is alike from one nightly run to the next.
+// values) of its differences over 1 to 5 places, divided by sqrt(2). Steps and spikes change it little, and differences
+// over several places include noise that is correlated from one nightly run to the next.
 //
 // What to expect, seen in simulations of 20,000 series of 60 values each (change_points_test.cpp repeats them with
 // fewer): series with a false alarm, in 20,000: 0 for normal noise, 2 for Student's t with 3 and with 2 degrees of

@@ -1,4 +1,4 @@
-// Whether a power law is the right curve at all: what the interval of its exponent does not say.
+// Whether a power law is the right curve at all, which the interval of its exponent does not show.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct LackOfFit {
 /// each weighted by its precision, against the scatter within sizes (pooled over them; the variance of a median of m
 /// values is taken as pi / 2m of it, of one or two values 1 / m). Needs three sizes, one of them measured repeatedly.
 ///
-/// Where every size was measured once, nothing tells the noise from lack of fit; then curvature is tested: the F test
+/// Where every size was measured once, noise cannot be separated from lack of fit; then curvature is tested: the F test
 /// of the quadratic term in log n against what a parabola leaves. Needs four sizes.
 ///
 /// Precondition: `law` is fit_power_law() of `measurements`.

@@ -1,4 +1,4 @@
-// Quantiles of a sample, by the definition that R, NumPy and pandas use unless told otherwise.
+// Quantiles of a sample, by the definition that R, NumPy and pandas use by default.
 #pragma once
 
 #include <span>

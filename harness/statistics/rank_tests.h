@@ -18,14 +18,14 @@ inline constexpr std::size_t kExactRankTestSize = 100;
 /// differences are distributed symmetrically about 0" (or about something less) against "they tend to be larger".
 /// Differences of 0 are ranked with the others and then left out (J. W. Pratt 1959). 1 if there is no other difference.
 ///
-/// With k differences the smallest possible p-value is 2^-k: five pairs cannot say more than 0.03.
+/// With k differences the smallest possible p-value is 2^-k: with five pairs it is 0.03.
 /// Precondition: no NaN; std::invalid_argument otherwise. Time O(k^3) while exact.
 [[nodiscard]] double signed_rank_p_value(std::span<const double> differences);
 
 /// Wilcoxon's rank-sum test (H. B. Mann, D. R. Whitney 1947): the p-value of "both samples have the same distribution"
 /// against "the second one's values tend to be larger". 1 if a sample is empty.
 ///
-/// The smallest possible p-value is 1 / C(a + b, a): 3 values against 3 cannot say more than 0.05.
+/// The smallest possible p-value is 1 / C(a + b, a): with 3 values against 3 it is 0.05.
 /// Precondition: no NaN; std::invalid_argument otherwise. Time O((a + b)^4) while exact.
 [[nodiscard]] double rank_sum_p_value(std::span<const double> first, std::span<const double> second);
 

@@ -1,5 +1,7 @@
 #include "harness/study/execute_plan.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <deque>
 #include <exception>
@@ -201,7 +203,7 @@ class PlanExecution {
     const std::string& instance_id = ready.instance->id;
     if (plan_.instances[run.instance].n > run.max_n) {
       record_without_running(run, instance_id, RunStatus::not_applicable,
-                             "beyond the largest n for this algorithm: " + std::to_string(run.max_n));
+                             fmt::format("beyond the largest n for this algorithm: {}", run.max_n));
       return;
     }
     Request request;

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -40,8 +42,8 @@ std::string find_study_file(const std::string& name_or_path) {
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
     return (studies_folder() / (name_or_path + ".toml")).string();
   }
-  throw InputError("unknown study '" + name_or_path + "'; known: " + joined(names) +
-                   "; or give the path of a .toml file");
+  throw InputError(
+      fmt::format("unknown study '{}'; known: {}; or give the path of a .toml file", name_or_path, joined(names)));
 }
 
 }  // namespace mwt

@@ -1,5 +1,6 @@
 #include "harness/study/instance_files.h"
 
+#include <fmt/core.h>
 #include <glob.h>
 
 #include <filesystem>
@@ -50,8 +51,8 @@ std::vector<std::string> matching_files(const InstanceFiles& files) {
   for (const std::string& pattern : files.patterns) {
     const std::vector<std::string> paths = GlobResult(escaped(folder.string()) + '/' + pattern).paths();
     if (paths.empty()) {
-      throw InputError(files.place + ": no file matches '" + pattern + "' in " + folder.string() +
-                       "; name another folder with --instances");
+      throw InputError(fmt::format("{}: no file matches '{}' in {}; name another folder with --instances", files.place,
+                                   pattern, folder.string()));
     }
     for (const std::string& path : paths) {
       if (fs::is_regular_file(path, error)) found.insert(fs::path(path).lexically_relative(folder).string());

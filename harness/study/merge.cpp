@@ -1,5 +1,7 @@
 #include "harness/study/merge.h"
 
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <map>
 #include <set>
@@ -22,13 +24,13 @@ struct Part {
 };
 
 std::string label_of(const RunRecord& run) {
-  return name_with_parameters(run.algorithm, run.params) + " on " + label_of_instance(run) +
-         " repetition=" + std::to_string(run.repetition);
+  return fmt::format("{} on {} repetition={}", name_with_parameters(run.algorithm, run.params), label_of_instance(run),
+                     run.repetition);
 }
 
 std::string label_of(const PlannedRun& run, const Plan& plan) {
-  return name_with_parameters(run.algorithm->name, run.parameters.canonical()) + " on " +
-         plan.instances[run.instance].label() + " repetition=" + std::to_string(run.repetition);
+  return fmt::format("{} on {} repetition={}", name_with_parameters(run.algorithm->name, run.parameters.canonical()),
+                     plan.instances[run.instance].label(), run.repetition);
 }
 
 // A study that still runs would look like a gap: its lock shows that it runs.
@@ -57,8 +59,10 @@ void require_one_commit(const std::vector<Part>& parts) {
   if (folder_of_commit.size() < 2) return;
   const auto& [one, one_folder] = *folder_of_commit.begin();
   const auto& [other, other_folder] = *folder_of_commit.rbegin();
-  throw InputError(one_folder + " and " + other_folder + " were recorded by different builds of mwt (commits " + one +
-                   " and " + other + "); run one again, or mix the two with --accept-other-build");
+  throw InputError(
+      fmt::format("{} and {} were recorded by different builds of mwt (commits {} and {}); run one again, or mix the "
+                  "two with --accept-other-build",
+                  one_folder, other_folder, one, other));
 }
 
 using InstanceName = std::tuple<std::string, std::string, Index, std::uint64_t>;
@@ -75,8 +79,9 @@ void require_same_points(const std::vector<RunRecord>& runs, const std::vector<I
     if (record.instance_id.empty()) return;
     const auto entry = ids.try_emplace(name_of(record), record.instance_id).first;
     if (entry->second == record.instance_id) return;
-    throw InputError("the shards have different points under one name, " + label_of_instance(record) + ": " +
-                     entry->second + " and " + record.instance_id + "; run the study anew with the same files");
+    throw InputError(fmt::format(
+        "the shards have different points under one name, {}: {} and {}; run the study anew with the same files",
+        label_of_instance(record), entry->second, record.instance_id));
   };
   for (const RunRecord& run : runs) require(run);
   for (const InstanceRecord& instance : instances) require(instance);
@@ -120,14 +125,15 @@ class Merger {
     for (const Part& part : parts_) {
       for (const RunRecord& run : part.records.runs) {
         if (!planned.contains(run.run_id)) {
-          throw InputError(part.folder + ": this mwt does not plan its run " + label_of(run) +
-                           "; merge with the commit that recorded it (" + run.git_commit +
-                           ") and the same point and start files");
+          throw InputError(
+              fmt::format("{}: this mwt does not plan its run {}; merge with the commit that recorded it ({}) and the "
+                          "same point and start files",
+                          part.folder, label_of(run), run.git_commit));
         }
         const auto [entry, is_new] = runs_.try_emplace(run.run_id, &run, part.folder);
         if (is_new) continue;
-        throw InputError(entry->second.second + " and " + part.folder + " overlap: both have " + label_of(run) +
-                         "; name every shard once");
+        throw InputError(fmt::format("{} and {} overlap: both have {}; name every shard once", entry->second.second,
+                                     part.folder, label_of(run)));
       }
     }
   }
@@ -140,9 +146,11 @@ class Merger {
     }
     for (const PlannedRun& run : plan_.runs) {
       if (runs_.contains(run.run_id)) continue;
-      throw InputError(std::to_string(plan_.runs.size() - runs_.size()) + " of " + std::to_string(plan_.runs.size()) +
-                       " runs are missing, the first: " + label_of(run, plan_) + "; shards that were begun: " +
-                       joined({shards.begin(), shards.end()}) + "; run the others, or these with --resume");
+      throw InputError(
+          fmt::format("{} of {} runs are missing, the first: {}; shards that were begun: {}; run the others, or these "
+                      "with --resume",
+                      plan_.runs.size() - runs_.size(), plan_.runs.size(), label_of(run, plan_),
+                      joined({shards.begin(), shards.end()})));
     }
   }
 

@@ -1,5 +1,7 @@
 #include "harness/study/plan.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -48,14 +50,14 @@ std::vector<Choice> without_wildcard(const std::vector<Choice>& choices, std::sp
   return expanded;
 }
 
-// A family with its parameters and a seed, before n is known.
+// A family with its parameters and a seed, without n.
 struct Source {
   const GeneratorInfo& family;
   const Parameters& parameters;
   std::uint64_t seed;
 };
 
-// Whether the family has an instance of n points. A family that fails has one, so that its runs tell the failure.
+// Whether the family has an instance of n points. A family that fails has one, so that its runs report the failure.
 // Throws NotEnoughMemory.
 bool has_instance(const Source& source, Index n, std::string& complaint) {
   try {
@@ -73,7 +75,7 @@ bool has_instance(const Source& source, Index n, std::string& complaint) {
 }
 
 // The nearest n of which the family has an instance, the smaller one of two; 0 if there is none near. `complaint` is
-// what the family says of `wanted` itself.
+// the error message of the family for `wanted` itself.
 Index nearest_legal_n(const Source& source, Index wanted, std::string& complaint) {
   if (has_instance(source, wanted, complaint)) return wanted;
   std::string ignored;
@@ -149,9 +151,9 @@ class Planner {
     std::string complaint;
     const Index n = nearest_legal_n(source, wanted, complaint);
     const std::string family = name_with_parameters(source.family.name, source.parameters.canonical());
-    if (n == 0) plan_.notes.push_back("left out: " + family + " n=" + std::to_string(wanted) + ": " + complaint);
+    if (n == 0) plan_.notes.push_back(fmt::format("left out: {} n={}: {}", family, wanted, complaint));
     if (n != 0 && n != wanted) {
-      plan_.notes.push_back(family + " has no n=" + std::to_string(wanted) + "; taken: n=" + std::to_string(n));
+      plan_.notes.push_back(fmt::format("{} has no n={}; taken: n={}", family, wanted, n));
     }
     return n;
   }
@@ -196,8 +198,8 @@ class Planner {
       if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
     }
     if (plan_.runs.size() > kMaxRuns) {
-      throw InputError("study '" + study_.name + "' has more than " + std::to_string(kMaxRuns) +
-                       " runs; divide it into several studies");
+      throw InputError(
+          fmt::format("study '{}' has more than {} runs; divide it into several studies", study_.name, kMaxRuns));
     }
     std::sort(plan_.runs.begin() + static_cast<std::ptrdiff_t>(begin), plan_.runs.end(),
               [](const PlannedRun& a, const PlannedRun& b) { return a.run_id < b.run_id; });
@@ -214,7 +216,7 @@ class Planner {
 }  // namespace
 
 std::string PlannedInstance::label() const {
-  return name_with_parameters(generator, parameters) + " n=" + std::to_string(n) + " seed=" + std::to_string(seed);
+  return fmt::format("{} n={} seed={}", name_with_parameters(generator, parameters), n, seed);
 }
 
 std::set<std::string> run_ids_of(const Plan& plan) {

@@ -1,5 +1,7 @@
 #include "harness/study/run_study.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -25,9 +27,10 @@ void require_same_build(const RunOptions& options, const ResultsFolder& folder, 
   if (is_complete || options.accepts_other_build) return;
   for (const RunRecord& run : folder.runs()) {
     if (run.binary_sha256 == environment.binary_sha256) continue;
-    throw InputError(options.folder + ": its runs were recorded by another build of mwt (commit " + run.git_commit +
-                     "; this one: " + environment.git_commit +
-                     "); choose a new folder with --out, or mix the two with --accept-other-build");
+    throw InputError(
+        fmt::format("{}: its runs were recorded by another build of mwt (commit {}; this one: {}); choose a new folder "
+                    "with --out, or mix the two with --accept-other-build",
+                    options.folder, run.git_commit, environment.git_commit));
   }
 }
 
@@ -53,10 +56,10 @@ void require_planned(const RunOptions& options, const ResultsFolder& folder, con
   const std::set<std::string> planned = run_ids_of(whole);
   for (const RunRecord& run : folder.runs()) {
     if (planned.contains(run.run_id)) continue;
-    throw InputError(options.folder + ": its run of " + name_with_parameters(run.algorithm, run.params) + " on " +
-                     label_of_instance(run) +
-                     " is none of this study any more: a point file, a start file or this mwt has changed or is gone;"
-                     " restore it, choose a new folder with --out, or keep such runs with --accept-other-build");
+    throw InputError(fmt::format(
+        "{}: its run of {} on {} is none of this study any more: a point file, a start file or this mwt has changed or "
+        "is gone; restore it, choose a new folder with --out, or keep such runs with --accept-other-build",
+        options.folder, name_with_parameters(run.algorithm, run.params), label_of_instance(run)));
   }
 }
 

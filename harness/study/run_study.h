@@ -29,7 +29,7 @@ struct RunOptions {
 /// Every row's optimum is all that is certified about its instance by then: what the optimum sources found, what exact
 /// runs found since, and, as an upper end, the run's own weight. A checked triangulation that is lighter than a
 /// certified lower bound disproves the claim: the claimant's row becomes an error (an instance loses its optimum), it
-/// is announced and thrown out of the cache, and the other runs on the instance are rated anew. If that leaves an
+/// is announced and removed from the cache, and the other runs on the instance are rated anew. If that leaves an
 /// instance without an optimum, it is sought again in the end.
 ///
 /// Throws InputError for everything that is wrong with the study or the folder, before anything is run: also if runs

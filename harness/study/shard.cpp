@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -21,7 +23,7 @@ std::vector<std::size_t> by_size(const Plan& plan) {
 
 }  // namespace
 
-std::string Shard::text() const { return count == 1 ? "" : std::to_string(number) + '/' + std::to_string(count); }
+std::string Shard::text() const { return count == 1 ? "" : fmt::format("{}/{}", number, count); }
 
 Shard parse_shard(const std::string& text) {
   const std::size_t slash = text.find('/');

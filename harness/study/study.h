@@ -1,4 +1,4 @@
-// A study: what is to be run, as a study file says it. harness/studies/README.md documents the file's keys.
+// A study: what is to be run, as read from a study file. harness/studies/README.md documents the file's keys.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// The only door to toml++.
+// The only source that includes toml++.
+#include <fmt/core.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@ constexpr std::size_t kMaxCombinations = 10000;
 using ParameterValues = std::map<std::string, std::string>;
 
 std::string place_of(const std::string& file, const toml::source_region& source) {
-  return file + ':' + std::to_string(source.begin.line);
+  return fmt::format("{}:{}", file, source.begin.line);
 }
 
 // A table of the file whose keys are read one by one; a key that nothing read is an error in the end.
@@ -54,7 +55,7 @@ class TableReader {
 
   std::string text(const std::string& key) {
     const toml::node* node = find(key);
-    if (node == nullptr) throw InputError(place_ + ": " + title_ + " needs the key '" + key + "'");
+    if (node == nullptr) throw InputError(fmt::format("{}: {} needs the key '{}'", place_, title_, key));
     return text_of(*node, key);
   }
 
@@ -75,7 +76,7 @@ class TableReader {
 
   std::int64_t integer_of(const toml::node& node, const std::string& key, std::int64_t smallest) const {
     const bool in_range = node.is_integer() && node.ref<std::int64_t>() >= smallest;
-    if (!in_range) fail(node, "'" + key + "' must be a whole number of at least " + std::to_string(smallest));
+    if (!in_range) fail(node, fmt::format("'{}' must be a whole number of at least {}", key, smallest));
     return node.ref<std::int64_t>();
   }
 
@@ -85,7 +86,7 @@ class TableReader {
 
   void read_count(const std::string& key, int& value) {
     read_integer(key, 1, [&](std::int64_t count) {
-      if (count > kMaxCount) fail(*table_.get(key), "'" + key + "' must be at most " + std::to_string(kMaxCount));
+      if (count > kMaxCount) fail(*table_.get(key), fmt::format("'{}' must be at most {}", key, kMaxCount));
       value = static_cast<int>(count);
     });
   }
@@ -108,8 +109,8 @@ class TableReader {
     for (const auto& [key, node] : table_) {
       const std::string name(key.str());
       if (std::find(known_.begin(), known_.end(), name) == known_.end()) {
-        throw InputError(place_of(file_, key.source()) + ": " + title_ + " has no key '" + name + "'; it has " +
-                         joined(known_));
+        throw InputError(fmt::format("{}: {} has no key '{}'; it has {}", place_of(file_, key.source()), title_, name,
+                                     joined(known_)));
       }
     }
   }
@@ -165,8 +166,7 @@ std::vector<ParameterValues> read_parameters(TableReader& reader) {
       values.push_back(parameter_text(reader, value, name));
     }
     if (combinations.size() * values.size() > kMaxCombinations) {
-      reader.fail(value,
-                  "the lists of parameters make more than " + std::to_string(kMaxCombinations) + " combinations");
+      reader.fail(value, fmt::format("the lists of parameters make more than {} combinations", kMaxCombinations));
     }
     std::vector<ParameterValues> longer;
     for (const ParameterValues& combination : combinations) {

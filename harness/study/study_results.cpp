@@ -1,5 +1,7 @@
 #include "harness/study/study_results.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -44,7 +46,7 @@ void StudyResults::settle(const std::string& instance_id, const std::string& lab
   }
   const auto discarded =
       cache_ == nullptr ? std::vector<std::string>() : cache_->discard_disproved(instance_id, weight);
-  for (const std::string& path : discarded) announce_("thrown out of the optimum cache: " + path);
+  for (const std::string& path : discarded) announce_("removed from the optimum cache: " + path);
   folder_.settle(instance_id);
 }
 
@@ -75,7 +77,7 @@ RunRecord StudyResults::add(RunRecord run) {
   known_.rate(run);
   if (is_disproved(run) && disproofs.empty()) {
     ++outcome_.contradictions;
-    announce_(run.algorithm + " on " + label + ": " + run.message);
+    announce_(fmt::format("{} on {}: {}", run.algorithm, label, run.message));
   }
   folder_.append(run);
   settle(run.instance_id, label, disproofs);
@@ -95,7 +97,7 @@ void StudyResults::compare_with_cache(RunRecord& run, const OptimumKey& key) {
     if (disproof.claim.id == "run") {
       reject(run, disproof);
     } else {
-      announce_(disproof.text() + "; it is thrown out");
+      announce_(disproof.text() + "; it is removed from the optimum cache");
       static_cast<void>(cache_->discard_disproved(run.instance_id, disproof.weight));
     }
   }

@@ -1,5 +1,7 @@
 #include "harness/tracking/cell.h"
 
+#include <fmt/core.h>
+
 namespace mwt {
 
 namespace {
@@ -17,13 +19,13 @@ TrackedCell cell_of(const RunRecord& record) {
 
 std::string algorithm_label(const TrackedCell& cell) {
   return with_parameters(cell.algorithm, cell.params) +
-         (cell.threads == 1 ? "" : " threads=" + std::to_string(cell.threads));
+         (cell.threads == 1 ? "" : fmt::format(" threads={}", cell.threads));
 }
 
 std::string family_label(const TrackedCell& cell) { return with_parameters(cell.generator, cell.generator_params); }
 
 std::string instance_label(const TrackedCell& cell) {
-  return family_label(cell) + " n=" + std::to_string(cell.n) + " seed=" + std::to_string(cell.seed);
+  return fmt::format("{} n={} seed={}", family_label(cell), cell.n, cell.seed);
 }
 
 std::map<TrackedCell, std::vector<const RunRecord*>> by_cell(const std::vector<RunRecord>& runs) {

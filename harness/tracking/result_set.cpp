@@ -1,5 +1,7 @@
 #include "harness/tracking/result_set.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
@@ -33,9 +35,9 @@ void require_columns(const std::string& file, const CsvRow& header, const std::v
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (i < header.size() && header[i] == expected[i]) continue;
     const std::string found = i < header.size() ? "'" + header[i] + "'" : "nothing";
-    refuse(file, "column " + std::to_string(i + 1) + " is " + found + " where schema version " +
-                     std::to_string(kSchemaVersion) + " has '" + expected[i] +
-                     "'; the file was altered: run the study anew");
+    refuse(file,
+           fmt::format("column {} is {} where schema version {} has '{}'; the file was altered: run the study anew",
+                       i + 1, found, kSchemaVersion, expected[i]));
   }
 }
 
@@ -77,15 +79,15 @@ Table<Record> read_table(const std::string& file, const std::vector<Column<Recor
   const auto places = places_of(columns, header);
   Table<Record> table;
   for (std::size_t row = 1; row < rows.size(); ++row) {
-    const std::string line = file + ':' + std::to_string(row + 1);
+    const std::string line = fmt::format("{}:{}", file, row + 1);
     if (rows[row].size() != header.size()) refuse(line, "malformed row");
     const Record& record = table.records.emplace_back(record_of(columns, places, rows[row], line));
     if (row == 1) table.schema_version = record.schema_version;
-    const std::string version = "schema version " + std::to_string(record.schema_version);
+    const std::string version = fmt::format("schema version {}", record.schema_version);
     if (record.schema_version < 1 || record.schema_version > kSchemaVersion)
       refuse(line, version + " is unknown here; use the mwt that wrote it");
     if (record.schema_version != table.schema_version)
-      refuse(line, version + " after rows of version " + std::to_string(table.schema_version));
+      refuse(line, fmt::format("{} after rows of version {}", version, table.schema_version));
   }
   const CsvRow expected = header_of(columns);
   const auto end = expected.begin() + static_cast<std::ptrdiff_t>(first_columns);

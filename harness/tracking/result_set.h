@@ -23,10 +23,10 @@ struct ResultSet {
 
 /// Reads runs.csv and environments.csv (which may be missing). Files of the present schema version must have its
 /// columns in their places; those of older versions are read by the names of their columns: columns that this version
-/// does not know are left out, those that the file lacks stay empty. A torn last row is left out.
+/// does not have are left out, those that the file lacks stay empty. A torn last row is left out.
 ///
-/// Where the CPU times come from a clock that ticked, as in builds of mwt that put a CPU limit on each run, they are
-/// without_short_cpu_times().
+/// Where the CPU times come from a clock with coarse ticks, as in builds of mwt that put a CPU limit on each run, they
+/// are without_short_cpu_times().
 ///
 /// Throws InputError "FILE[:LINE]: what; remedy": no runs.csv, other columns, a newer schema version or several of
 /// them, a malformed field.

@@ -33,8 +33,8 @@ mwt_add_tests(geometry mwt_geometry mwt_shapes_for_tests CGAL::CGAL)
 mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not include each other; only their tests do.
 mwt_add_tests(algorithms mwt_algorithms mwt_generators mwt_shapes_for_tests)
-# Boost and JSON: to look at results with other eyes than the harness's own.
-mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json)
+# Boost, JSON and SQLite: to read results by other means than the harness's own.
+mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json SQLiteCpp)
 # The harness's tests also run the programs as their users do.
 if(TARGET harness_test)
   target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>"

@@ -173,7 +173,7 @@ class ExtremePoints {
     });
   }
 
-  // Each around a point of the one before, far smaller, as far as doubles tell.
+  // Each around a point of the one before, far smaller, in doubles.
   std::vector<Point> nested(std::size_t n) {
     const double shrink = power(-exponent(10, 200));
     std::vector<Point> points(1);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <mutex>
+#include <numeric>
 
 #include "algorithms/exact/candidates/by_direction.h"
 #include "algorithms/exact/search_stopped.h"
@@ -19,7 +20,8 @@ namespace {
 
 constexpr std::size_t kGrain = 4096;
 
-// In larger stars edges are looked up by bisection, and the deadline is checked at each.
+// In larger stars edges are looked up by bisection, each edge is tested on its own, and the deadline is checked at
+// each.
 constexpr std::size_t kLargeStar = 64;
 
 class Marking {
@@ -41,11 +43,6 @@ class Marking {
  private:
   using Place = std::uint32_t;  // in a star
   static constexpr Place kNoPlace = std::numeric_limits<Place>::max();
-
-  struct Scratch {
-    std::vector<Place> marked;  // edges that nothing known crosses, ascending
-    std::vector<Place> order;   // in which the star is visited
-  };
 
   template <class Body>
   static void for_each_vertex(Index n, const Body& body) {
@@ -118,34 +115,72 @@ class Marking {
       throw SearchStopped(StopReason::deadline, "the deadline passed while marking certain edges");
   }
 
-  // Every edge to a later point is certain until an edge yw between neighbours is found that crosses it.
   void mark_edges_from_smaller_end(Index s) {
     constexpr Index kVerticesPerCheck = 64;
     if (s % kVerticesPerCheck == 0) check_deadline();
-    Scratch& scratch = scratch_.local();
-    const auto star = graph_.star(s);
-    scratch.marked.clear();
-    scratch.order.clear();
-    for (Place t = 0; t < star.size(); ++t) {
-      if (s < star[t]) scratch.marked.push_back(t);
-      scratch.order.push_back(t);
+    if (graph_.star(s).size() > kLargeStar) {
+      mark_in_large_star(s);
+    } else {
+      mark_in_small_star(s);
     }
-    if (star.size() > kLargeStar) put_near_ones_first(s, scratch.order);
-    for (const Place y : scratch.order) {
-      if (scratch.marked.empty()) break;
-      if (star.size() > kLargeStar) check_deadline();
-      unmark_edges_crossed_from(s, y, scratch.marked);
-    }
-    for (const Place t : scratch.marked) graph_.certain[graph_.first[s] + t] = 1;
   }
 
-  // Where long chains face each other, edges from neighbours in the same chain cross nearly everything.
-  void put_near_ones_first(Index s, std::vector<Place>& order) const {
+  // Every edge to a later point is certain until an edge yw between neighbours is found that crosses it.
+  void mark_in_small_star(Index s) {
     const auto star = graph_.star(s);
+    std::vector<Place>& marked = scratch_.local();
+    marked.clear();
+    for (Place t = 0; t < star.size(); ++t) {
+      if (s < star[t]) marked.push_back(t);
+    }
+    for (Place y = 0; y < star.size() && !marked.empty(); ++y) unmark_edges_crossed_from(s, y, marked);
+    for (const Place t : marked) graph_.certain[graph_.first[s] + t] = 1;
+  }
+
+  // Where long chains face each other, edges from the nearest neighbours, in the own chain, cross nearly everything.
+  void mark_in_large_star(Index s) {
+    const auto star = graph_.star(s);
+    std::vector<Place>& order = scratch_.local();
+    order.resize(star.size());
+    std::iota(order.begin(), order.end(), Place{0});
     const auto near = order.begin() + std::min<std::ptrdiff_t>(8, std::ssize(order));
     std::partial_sort(order.begin(), near, order.end(), [&](Place a, Place b) {
       return compare_length(graph_.points[s], graph_.points[star[a]], graph_.points[s], graph_.points[star[b]]) < 0;
     });
+    std::vector<Place>& places = places_.local();
+    places.assign(star.size(), kNoPlace);
+    for (Place t = 0; t < star.size(); ++t) {
+      if (star[t] < s) continue;
+      check_deadline();
+      const bool is_crossed = std::any_of(order.begin(), order.end(), [&](Place y) {
+        if (y == t) return false;
+        if (places[y] == kNoPlace) places[y] = place_of(s, star[y]);
+        return is_crossed_from(star[y], places[y], s, star[t]);
+      });
+      if (!is_crossed) graph_.certain[graph_.first[s] + t] = 1;
+    }
+  }
+
+  // Whether an edge from y, a neighbour of s, to another neighbour of s crosses st. Seen from y it leaves between s and
+  // t: of a short edge st these are few. `place`: of s in the star of y.
+  bool is_crossed_from(Index y, Place place, Index s, Index t) const {
+    const Points points = graph_.points;
+    const int turn = orientation(points[y], points[s], points[t]);
+    if (turn == 0) return false;
+    const auto star = graph_.star(y);
+    const auto degree = static_cast<Place>(star.size());
+    for (;;) {
+      if (turn > 0) {
+        place = place + 1 < degree ? place + 1 : 0;
+      } else {
+        place = (place > 0 ? place : degree) - 1;
+      }
+      const Index w = star[place];
+      const bool leaves_between = turn * orientation(points[y], points[s], points[w]) > 0 &&
+                                  turn * orientation(points[y], points[w], points[t]) > 0;
+      if (!leaves_between) return false;
+      if (turn * orientation(points[s], points[t], points[w]) < 0 && has_edge(s, w)) return true;
+    }
   }
 
   // By edges from neighbour y to those that follow it counter-clockwise, up to the opposite direction.
@@ -189,16 +224,24 @@ class Marking {
     for (std::uint32_t i = graph_.first[t]; i < graph_.first[t + std::size_t{1}]; ++i) {
       const Index s = graph_.target[i];
       if (s > t) continue;
-      const auto star = graph_.star(s);
-      const auto position = static_cast<std::uint32_t>(std::find(star.begin(), star.end(), t) - star.begin());
-      graph_.certain[i] = graph_.certain[graph_.first[s] + position];
+      graph_.certain[i] = graph_.certain[graph_.first[s] + place_of(t, s)];
     }
+  }
+
+  // Of neighbour t in the star of s.
+  Place place_of(Index t, Index s) const {
+    const auto star = graph_.star(s);
+    const auto found = star.size() <= kLargeStar
+                           ? std::find(star.begin(), star.end(), t)
+                           : std::lower_bound(star.begin(), star.end(), t, ByDirection(graph_.points, s));
+    return static_cast<Place>(found - star.begin());
   }
 
   CandidateGraph graph_;
   const std::vector<Star>& stars_;
   const Context& context_;
-  tbb::enumerable_thread_specific<Scratch> scratch_;
+  tbb::enumerable_thread_specific<std::vector<Place>> scratch_;
+  tbb::enumerable_thread_specific<std::vector<Place>> places_;  // of a vertex in the stars of its neighbours
   std::mutex hidden_mutex_;
   std::vector<Edge> hidden_;  // edges through another point
 };

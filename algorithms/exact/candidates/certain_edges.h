@@ -14,9 +14,10 @@ namespace mwt {
 /// missing from a minimum weight triangulation, st would enter a triangle syw of it at s and leave through yw, and all
 /// three edges of that triangle survived.
 ///
-/// Exact. One look-up per pair of a vertex's neighbours. Runs on the threads of the enclosing task arena; the result
-/// does not depend on them.
-/// Throws SearchStopped (search_stopped.h) after the context's deadline.
+/// Exact. In small stars one look-up per pair of a vertex's neighbours; in large ones, for each edge st and neighbour y
+/// until one is found, a bisection for the edges of y between its directions to s and t. Runs on the threads of the
+/// enclosing task arena; the result does not depend on them. Throws SearchStopped (search_stopped.h) after the
+/// context's deadline.
 [[nodiscard]] CandidateGraph mark_certain_edges(Points points, const StarTable& stars, const Context& context);
 
 }  // namespace mwt

@@ -213,6 +213,30 @@ TEST(CertainEdges, AreMostOfUniformOptima) {
   EXPECT_GT(static_cast<double>(edges_of_graph(graph, true).size()) / n, 2.3);
 }
 
+// By definition: an edge to a later point is certain unless an edge between neighbours of its smaller end crosses it.
+TEST(CertainEdges, InLargeStarsAreThoseOfTheDefinition) {
+  std::size_t in_large_stars = 0;
+  for (const auto& points : {generate("roads", 500, 1), generate("wheel", 150, 1), generate("greedy_corridor", 160, 1),
+                             generate("spiral", 400, 1), generate("cluster_in_triangle", 200, 1)}) {
+    const KdOrder order = make_kd_order(points);
+    const CandidateGraph graph = candidate_graph(order);
+    const std::vector<Edge> edges = edges_of_graph(graph, false), certain = edges_of_graph(graph, true);
+    for (const auto& [s, t] : edges) {
+      const auto star = graph.star(s);
+      if (star.size() <= 64) continue;
+      ++in_large_stars;
+      const bool is_crossed = std::any_of(star.begin(), star.end(), [&](Index y) {
+        return y != t && std::any_of(star.begin(), star.end(), [&](Index w) {
+                 return y < w && w != t && std::binary_search(edges.begin(), edges.end(), Edge{y, w}) &&
+                        segments_cross(graph.points[y], graph.points[w], graph.points[s], graph.points[t]);
+               });
+      });
+      EXPECT_EQ(std::binary_search(certain.begin(), certain.end(), Edge{s, t}), !is_crossed) << s << ' ' << t;
+    }
+  }
+  EXPECT_GT(in_large_stars, 1000U);
+}
+
 // Stars made by hand: four points of a square around a fifth, one edge hidden by the centre.
 TEST(CertainEdges, DropTheFartherOfTwoNeighboursInOneDirection) {
   const std::vector<Point> points{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}};

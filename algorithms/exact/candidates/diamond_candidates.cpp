@@ -9,14 +9,24 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <string>
 
+#include "algorithms/exact/candidates/long_edges.h"
 #include "algorithms/exact/candidates/near_points.h"
 #include "algorithms/exact/search_stopped.h"
 
 namespace mwt {
 
 namespace {
+
+// An edge this many times as long as the distance from one of its ends to its nearest neighbour is tested against all
+// points if it is longer than the near points reach: they are many along a curve, but all on it.
+constexpr float kManyTimesNearest = 32;
+
+// So is any edge this many times as long: points so close to an end count as on the edge's line for floats.
+constexpr float kVeryManyTimesNearest = 1e4F;
 
 constexpr std::uint16_t kNeverDead = 0x7F80;  // upper half of the float infinity
 
@@ -63,12 +73,14 @@ bool has_open_direction(const DeadDistances& dead) {
 DiamondTest::DiamondTest(const KdOrder& order)
     : order_(order),
       scale_(distance_scale(order)),
+      nearest_square_(order.points.size()),
       dead_(order.points.size()),
       dead_of_node_(2 * std::size_t{order.leaf_count}),
       farthest_of_node_(2 * std::size_t{order.leaf_count}) {
   tbb::enumerable_thread_specific<NearPointsFinder> finders([this] { return NearPointsFinder(order_); });
   tbb::parallel_for(order_.leaf_count, 2 * order_.leaf_count, [&](std::uint32_t leaf) {
     NearPointsFinder& finder = finders.local();
+    find_nearest(leaf);
     const Index first = order_.first_of(leaf);
     const auto dead = std::span(dead_).subspan(first, order_.last_of(leaf) - first);
     compute_dead_distances(finder.find(leaf), dead);
@@ -80,6 +92,23 @@ DiamondTest::DiamondTest(const KdOrder& order)
   for (std::uint32_t node = order_.leaf_count - 1; node >= 1; --node) {
     set_maximum(node, std::span<const DeadDistances>(dead_of_node_).subspan(2 * std::size_t{node}, 2));
   }
+}
+
+void DiamondTest::find_nearest(std::uint32_t leaf) {
+  const Index first = order_.first_of(leaf), last = order_.last_of(leaf);
+  for (Index p = first; p < last; ++p) {
+    float nearest = std::numeric_limits<float>::infinity();
+    for (Index q = first; q < last; ++q) {
+      if (q != p) nearest = std::min(nearest, scaled_square(p, q));
+    }
+    nearest_square_[p] = nearest;
+  }
+}
+
+float DiamondTest::scaled_square(Index p, Index q) const {
+  const double x = (order_.points[p].x - order_.points[q].x) * scale_;
+  const double y = (order_.points[p].y - order_.points[q].y) * scale_;
+  return static_cast<float>(x * x + y * y);
 }
 
 void DiamondTest::set_maximum(std::uint32_t node, std::span<const DeadDistances> parts) {
@@ -139,25 +168,42 @@ void DiamondTest::collect_partners(std::uint32_t leaf, std::vector<std::uint32_t
   }
 }
 
-void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block) const {
+// Whether the near points do not decide about the edge. `reach`: the near points are all points within this scaled
+// distance of the pair's first point.
+bool DiamondTest::is_long(const CandidatePair& pair, float reach) const {
+  const float square = scaled_square(pair.p, pair.q);
+  const float nearest = std::min(nearest_square_[pair.p], nearest_square_[pair.q]);
+  const float enough = square > reach * reach ? kManyTimesNearest : kVeryManyTimesNearest;
+  return square > enough * enough * nearest;
+}
+
+template <class Check>  // check(edges found since the last one) throws if there is no time or room for more
+void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block, const Check& check) const {
   const std::uint32_t block_node = blocks.first_block_node + block;
   const std::uint32_t leaves = order_.leaf_count / blocks.first_block_node;
   const std::uint32_t first_leaf = block_node * leaves;
   const Index block_end = order_.last_of(block_node);
   NearPointsFinder finder(order_);
+  LongEdgeTest long_edges(order_);
   std::vector<std::uint32_t> partners;
   std::array<CandidatePair, KdOrder::kMaxLeaf * KdOrder::kMaxLeaf> found;
   std::vector<CandidatePair>& inner = blocks.inner[block];
   std::vector<CandidatePair>& outer = blocks.outer[block];
   for (std::uint32_t leaf = first_leaf; leaf < first_leaf + leaves; ++leaf) {
     collect_partners(leaf, partners);
+    const std::size_t before = inner.size() + outer.size();
     const CandidateSearch search{order_.points, dead_, finder.find(leaf), order_.first_of(leaf)};
+    const float reach = search.near.distance[static_cast<std::size_t>(search.near.leaves - 1)];
     for (const std::uint32_t partner : partners) {
       const Index first = order_.first_of(partner);
       const std::size_t count = append_candidates(search, first, order_.last_of(partner), found.data());
       std::vector<CandidatePair>& target = first < block_end ? inner : outer;
-      target.insert(target.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+      long_edges.start(leaf, partner);
+      std::copy_if(
+          found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), std::back_inserter(target),
+          [&](const CandidatePair& pair) { return !(is_long(pair, reach) && long_edges.is_excluded(pair.p, pair.q)); });
     }
+    check(inner.size() + outer.size() - before);
   }
 }
 
@@ -166,15 +212,15 @@ CandidateBlocks DiamondTest::find_candidates(const Context& context) const {
   blocks.first_block_node = std::max(order_.leaf_count / CandidateBlocks::kLeavesPerBlock, 1U);
   blocks.inner.resize(blocks.first_block_node);
   blocks.outer.resize(blocks.first_block_node);
-  const std::size_t limit = std::max<std::size_t>(100'000'000, 64 * order_.points.size());
+  const std::size_t limit = max_candidates(order_.points.size());
   std::atomic<std::size_t> total = 0;
   tbb::parallel_for(std::uint32_t{0}, blocks.first_block_node, [&](std::uint32_t block) {
-    if (context.deadline_passed())
-      throw SearchStopped(StopReason::deadline, "the deadline passed during the diamond test");
-    search_block(blocks, block);
-    total += blocks.inner[block].size() + blocks.outer[block].size();
-    if (total > limit)
-      throw SearchStopped(StopReason::size, "more than " + std::to_string(limit) + " edges pass the diamond test");
+    search_block(blocks, block, [&](std::size_t found) {
+      if (context.deadline_passed())
+        throw SearchStopped(StopReason::deadline, "the deadline passed during the diamond test");
+      if (total += found; total > limit)
+        throw SearchStopped(StopReason::size, "more than " + std::to_string(limit) + " edges pass the diamond test");
+    });
   });
   return blocks;
 }

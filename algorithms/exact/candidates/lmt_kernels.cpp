@@ -218,7 +218,22 @@ class Deletion {
     return counters_;
   }
 
+  // Deletes all of them, whatever their certificates.
+  LmtCounters run_without(std::span<const CandidatePair> edges, const Context& context) {
+    for (const auto& [p, q] : edges) {
+      remove_if_present(p, q);
+      remove_if_present(q, p);
+      if (!context.deadline_passed()) examine_pending();
+    }
+    return counters_;
+  }
+
  private:
+  void remove_if_present(Index s, Index o) {
+    const std::uint32_t place = Stars::position_of(stars_[s], o);
+    if (place != kNotFound) remove(s, place);
+  }
+
   void examine_pending() {
     while (!pending_.empty()) {
       const auto [p, q] = pending_.back();
@@ -333,6 +348,11 @@ LmtCounters DeleteEdgesWithoutCertificatePlainly(StarTable& table, Points points
   return Deletion<ScalarStars<MachineRounding>>(table, points, hull).run(edges, context);
 }
 
+LmtCounters DeleteEdges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
+                        const Context& context) {
+  return Deletion<VectorStars>(table, points, hull).run_without(edges, context);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace mwt
 HWY_AFTER_NAMESPACE();
@@ -341,11 +361,17 @@ HWY_AFTER_NAMESPACE();
 namespace mwt {
 
 HWY_EXPORT(DeleteEdgesWithoutCertificate);
+HWY_EXPORT(DeleteEdges);
 HWY_EXPORT(DeleteEdgesWithoutCertificatePlainly);
 
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
                                              std::span<const CandidatePair> edges, const Context& context) {
   return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context);
+}
+
+LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
+                         const Context& context) {
+  return HWY_DYNAMIC_DISPATCH(DeleteEdges)(table, points, hull, edges, context);
 }
 
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,

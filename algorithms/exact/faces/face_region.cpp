@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "algorithms/exact/faces/disjoint_sets.h"
+#include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/faces/length_sum_comparison.h"
 #include "geometry/delaunay.h"
 #include "geometry/weight.h"

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "algorithms/exact/faces/region_solver.h"
+#include "algorithms/exact/holes/region_solver.h"
 #include "algorithms/exact/testing/naive_candidates.h"
 #include "geometry/checker.h"
 

@@ -12,11 +12,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "algorithms/exact/faces/crossing_candidates.h"
+#include "algorithms/exact/division/crossing_candidates.h"
 #include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/faces/face_walk.h"
 #include "algorithms/exact/faces/polygon_face.h"
-#include "algorithms/exact/faces/region_solver.h"
+#include "algorithms/exact/holes/region_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/usable_threads.h"
 #include "geometry/undirected_edges.h"
@@ -285,7 +285,9 @@ void FaceSolver::solve_regions() {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
           const bool is_late = i < late_regions_ || context_.deadline_passed();
           regions_[i] = is_late ? leave_unsolved(graph_.points, regions[i], StopReason::deadline)
-                                : solve_region(graph_.points, regions[i], context_.deadline);
+                                : solve_region(graph_.points, regions[i], {context_.deadline});
+          if (!regions_[i].is_feasible())
+            throw std::logic_error("candidate graph: a face has no triangulation by candidates");
           progress.advance();
         }
       },
@@ -328,8 +330,9 @@ void FaceSolver::assemble(FaceSolution& solution) {
   for (std::size_t i = 0; i < regions_.size(); ++i) {
     const RegionSolution& region = regions_[i];
     solution.triangles.insert(solution.triangles.end(), region.triangles.begin(), region.triangles.end());
-    solution.programs += region.programs;
-    solution.branchings += region.branchings;
+    solution.reductions += region.counters.reductions;
+    solution.programs += region.counters.programs;
+    solution.branchings += region.counters.branchings;
     solution.unsolved_faces += region.solved ? 0 : 1;
     solution.stop_reason = combined(solution.stop_reason, region.stop_reason);
   }

@@ -23,23 +23,23 @@ struct FaceSolution {
   std::uint64_t precise_comparisons = 0;  ///< comparisons of sums of roots that doubles could not decide
   std::uint64_t undecided_ties = 0;       ///< of these, sums that no available precision could compare
   std::uint64_t faces_with_holes = 0;     ///< or isolated vertices
+  std::uint64_t reductions = 0;           ///< faces with holes, or parts of them, cut open and bounded
   std::uint64_t programs = 0;
   std::uint64_t branchings = 0;
   std::uint64_t unsolved_faces = 0;       ///< cut short by a limit; each contributes its own lower bound
   std::optional<StopReason> stop_reason;  ///< of these faces
 };
 
-/// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). With one hole or
-/// isolated vertex: the same after each of a few cuts (cut_region.h). With more: divided further where possible, then
-/// linear programs with branching (region_solver.h).
+/// Faces of one boundary component: interval dynamic program over candidates (polygon_face.h). With holes or isolated
+/// vertices: holes/region_solver.h.
 ///
 /// Precondition: the graph's properties (1) to (4); where a violation shows, std::logic_error. SearchStopped with a
 /// lower bound, if the deadline passes before the faces are known.
 /// Ties: equality of two triangulations of a face is decided exactly, and of equal ones always the same is kept. Uses
 /// context.threads, but no more than there are cores; the triangles, their order and the bounds do not depend on it.
-/// Failure mode: polygons of more than 32 edges and faces with holes that context.deadline leaves over, and faces with
-/// holes of more than kMaximumProgramTriangles empty triangles, are filled with a constrained Delaunay triangulation
-/// and contribute a simple lower bound: the result is valid, `optimum` certified and wide, `proved` false. Time for
+/// Failure mode: polygons of more than 32 edges and faces with holes that context.deadline leaves over are filled with
+/// a constrained Delaunay triangulation, or the best one found, and contribute the bound reached: the result is valid,
+/// `optimum` certified and wide, `proved` false. Time for
 /// faces of bounded size O(n), about a third of a Delaunay triangulation on two cores; an L-gon with all its diagonals
 /// takes O(L^3). Space O(n + candidates).
 [[nodiscard]] FaceSolution solve_faces(CandidateGraph graph, Context& context);

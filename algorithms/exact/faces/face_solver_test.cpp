@@ -185,20 +185,16 @@ TEST(FaceSolver, TriangulatesAroundSlitsAsPolygon) {
 }
 
 TEST(FaceSolver, TriangulatesHolesOfAllKinds) {
-  const std::vector<std::set<Edge>> with_several = {{}, {{4, 5}}, {{0, 4}}};
-  const std::vector<std::set<Edge>> with_one = {{{4, 5}, {5, 6}}, {{4, 5}, {4, 6}, {5, 6}}, {{0, 4}, {5, 6}}};
-  std::vector<std::set<Edge>> inner_edges = with_several;
-  inner_edges.insert(inner_edges.end(), with_one.begin(), with_one.end());
+  const std::vector<std::set<Edge>> inner_edges = {
+      {}, {{4, 5}}, {{0, 4}}, {{4, 5}, {5, 6}}, {{0, 4}, {5, 6}}, {{4, 5}, {4, 6}, {5, 6}}};
   const Interval optimum = naive::SweptOptimum(kSquareWithPoints).weight();
   for (const auto& certain : inner_edges) {
-    const bool has_one_hole = std::find(with_one.begin(), with_one.end(), certain) != with_one.end();
     const CandidateGraph graph = naive::graph_with_certain(kSquareWithPoints, certain);
     const FaceSolution solution = solve(graph);
     expect_valid(kSquareWithPoints, solution);
     EXPECT_TRUE(solution.proved);
     EXPECT_EQ(solution.faces, 1);
     EXPECT_EQ(solution.faces_with_holes, 1);
-    EXPECT_EQ(solution.programs == 0, has_one_hole) << "one hole is cut open, several need a linear program";
     EXPECT_GE(solution.optimum.upper, optimum.lower);
     for (const Edge& edge : certain) {
       const auto edges = edges_of({static_cast<Index>(kSquareWithPoints.size()), solution.triangles});

@@ -13,9 +13,9 @@ namespace mwt {
 
 /// For each edge of a face a number below which no greedy edge that crosses it has its squared length; infinite for
 /// those that are certainly greedy. What can cross an edge is an ear at one of its ends (lemma 5 in PROOFS.md), so that
-/// the stars of the vertices tell (lemma 6).
+/// the stars of the vertices give the bounds (lemma 6).
 ///
-/// Floating point with a margin, rounded towards crossings: an edge that is said to be greedy is so under any tie rule.
+/// Floating point with a margin, rounded towards crossings: an edge reported as greedy is greedy under any tie rule.
 /// Preconditions of all: the mesh is a Delaunay triangulation constrained by the edges of kFixedMark, all greedy; the
 /// edges of the face have kFaceMark, and no others outside kFixedMark have.
 class CrossingBounds {
@@ -38,7 +38,7 @@ class CrossingBounds {
     Halfedge halfedge;
     double x, y;  // from the common origin
     double squared_length;
-    double bound;  // as far as pairs of spokes tell
+    double bound;  // from pairs of spokes
   };
   enum class Turn { left, right };
   /// Points in the directions between two vectors, no nearer than sqrt(`squared`). For turns to the right all is seen

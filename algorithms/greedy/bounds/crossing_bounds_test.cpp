@@ -17,7 +17,7 @@ struct Certain {
   std::size_t uncertain = 0;
 };
 
-// What the bounds say about all faces at once, between the hull's edges, and the certified ones if asked for.
+// The bounds of all faces at once, between the hull's edges, and the certified ones if requested.
 Certain certain_edges(Points points, bool fixes_certified) {
   PlanarMesh mesh = PlanarMesh::delaunay(points);
   std::vector<MeshEdge> face;

@@ -41,7 +41,7 @@ class CertainEars {
   GreedyParts parts_;
   EarSearch search_;
   KeptVector<Corner> waiting_;  // to be looked at
-  KeptVector<Corner> put_off_;  // to be looked at with more patience, once nothing else waits
+  KeptVector<Corner> put_off_;  // to be looked at with more steps, once waiting_ is empty
   std::size_t inserted_ = 0;
   std::size_t looks_ = 0;
   bool stopped_ = false;

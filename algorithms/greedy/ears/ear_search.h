@@ -29,12 +29,12 @@ class EarSearch {
   /// triangle abc holds no other point, and ab precedes every edge from c through ab to a point visible from c. Only
   /// such edges cross ab without crossing a fixed edge (lemma 3 in PROOFS.md).
   ///
-  /// Searches the triangles behind ab that may come nearer to c than |ab|; gives up, with no, after `max_steps`. Exact
-  /// where it says yes. Precondition: the mesh is a Delaunay triangulation constrained by the edges of kFixedMark, all
-  /// greedy.
+  /// Searches the triangles behind ab that may come nearer to c than |ab|; gives up, with false, after `max_steps`.
+  /// Exact where it returns true. Precondition: the mesh is a Delaunay triangulation constrained by the edges of
+  /// kFixedMark, all greedy.
   [[nodiscard]] bool is_certain(const EarSite& site, std::size_t max_steps);
 
-  /// Whether the last answer was no for want of patience only.
+  /// Whether the last answer was false only because of `max_steps`.
   [[nodiscard]] bool gave_up() const { return gave_up_; }
 
   /// Triangles looked at so far.

@@ -41,7 +41,7 @@ Halfedge FaceBoundary::side_after(Halfedge side) const {
   return h;
 }
 
-// First the side after each, in the order of memory, so that no step waits for the one before; then cycle by cycle.
+// First the side after each, in the order of memory, so that no step depends on the one before; then cycle by cycle.
 FaceBoundary::Cycles FaceBoundary::cycles_of(std::span<const MeshEdge> face) const {
   constexpr Halfedge kKnown = std::numeric_limits<Halfedge>::max();
   Cycles cycles;

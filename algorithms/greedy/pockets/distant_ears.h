@@ -38,8 +38,8 @@ class DistantEars {
   /// Whether the ear is certainly greedy, by lemma 8 of PROOFS.md: the corner is convex and not acute; along the
   /// boundary to either side, the first corner beyond a and b that is not out of sight is farther from c than the ear
   /// is long; and no spoke of the corners on the way, hidden ones included, is as short as the ear, leads as near to c
-  /// and leaves this neighbourhood. Exact where it says yes. O(1) unless there are short spokes or the boundary doubles
-  /// back.
+  /// and leaves this neighbourhood. Exact where it returns true. O(1) unless there are short spokes or the boundary
+  /// doubles back.
   [[nodiscard]] bool is_certain(DistantEar& ear);
 
   /// Whether short spokes have taken too much time since begin() for this to be worth while.

@@ -26,7 +26,7 @@ struct Taken {
   std::size_t ears = 0;
 };
 
-// Takes what pockets there are from all faces at once, between the hull's edges and the certified ones if asked for.
+// Takes what pockets there are from all faces at once, between the hull's edges and the certified ones if requested.
 Taken take(Points points, bool fixes_certified, std::size_t stretch, const std::string& what) {
   PlanarMesh mesh = PlanarMesh::delaunay(points);
   std::vector<MeshEdge> face;

@@ -8,7 +8,7 @@
 
 namespace mwt::testing {
 
-/// Records that a test adds run by run. Every run gets an instance of its own unless told otherwise.
+/// Records that a test adds run by run. Every run gets an instance of its own by default.
 class MadeUpRecords {
  public:
   /// A checked run that ended `ok`.

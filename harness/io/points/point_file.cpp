@@ -1,5 +1,7 @@
 #include "harness/io/points/point_file.h"
 
+#include <fmt/core.h>
+
 #include <filesystem>
 #include <string_view>
 
@@ -46,18 +48,10 @@ void write_text(OutputFile& file, Points points, char separator) {
 }
 
 void write_tsplib(OutputFile& file, Points points, const std::string& path) {
-  file.append("NAME : " + std::filesystem::path(path).stem().string() + "\nTYPE : TSP\nDIMENSION : " +
-              std::to_string(points.size()) + "\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n");
-  std::string line;
+  file.append(fmt::format("NAME : {}\nTYPE : TSP\nDIMENSION : {}\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n",
+                          std::filesystem::path(path).stem().string(), points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    line.clear();
-    append_integer(line, i + 1);
-    line += ' ';
-    append_number(line, points[i].x);
-    line += ' ';
-    append_number(line, points[i].y);
-    line += '\n';
-    file.append(line);
+    file.append(fmt::format("{} {} {}\n", i + 1, number_text(points[i].x), number_text(points[i].y)));
   }
   file.append("EOF\n");
 }

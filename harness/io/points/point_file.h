@@ -6,7 +6,7 @@
 //                   if it names one of them only, it is refused. Without such names there are two columns, or three of
 //                   which the first is an id: integers counting up by one. JSON and TSPLIB are read here, too.
 //   .tsp            TSPLIB: the NODE_COORD_SECTION, or without one the DISPLAY_DATA_SECTION, of points in the plane, in
-//                   the order of the file. The coordinates are read as they stand whatever EDGE_WEIGHT_TYPE says: GEO
+//                   the order of the file. The coordinates are read as they stand, whatever EDGE_WEIGHT_TYPE is: GEO
 //                   degrees, too, become plain x and y. Nodes may have names without blanks.
 //   .json           {"points": [{"x": 1, "y": 2}, ...]}, as in the CG:SHOP challenges; other keys are ignored.
 //   no ending, -    (`-` is standard input or output) text on writing; on reading, whichever of the three it looks

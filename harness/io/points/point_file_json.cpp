@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -72,7 +74,7 @@ class PointCollector final : public Json::json_sax_t {
 
   bool parse_error(std::size_t position, const std::string& last_token, const Json::exception& error) override {
     const auto before = text_.substr(0, position == 0 ? 0 : position - 1);
-    const std::string place = source_ + ":" + std::to_string(1 + std::count(before.begin(), before.end(), '\n'));
+    const std::string place = fmt::format("{}:{}", source_, 1 + std::count(before.begin(), before.end(), '\n'));
     constexpr int kNumberOverflow = 406;
     if (error.id == kNumberOverflow) {
       throw InputError(place + ": " + shown(last_token) + " is not a finite double; scale the data down");
@@ -98,8 +100,8 @@ class PointCollector final : public Json::json_sax_t {
   }
 
   [[noreturn]] void fail_at_point(const std::string& what) const {
-    throw InputError(source_ + ": points[" + std::to_string(points_.size()) + "] " + what +
-                     "; a point is {\"x\": 1, \"y\": 2}");
+    throw InputError(
+        fmt::format("{}: points[{}] {}; a point is {{\"x\": 1, \"y\": 2}}", source_, points_.size(), what));
   }
 
   const std::string& source_;

@@ -119,7 +119,7 @@ TEST(PointFileText, AHeaderThatNamesOneCoordinateOnlyIsAnError) {
 }
 
 TEST(PointFileText, AHeaderThatNamesNeitherCoordinateMustLeaveNoDoubt) {
-  const std::string remedy = "p.csv:1: the header does not tell which columns are the coordinates; call them x and y";
+  const std::string remedy = "p.csv:1: the header does not name the columns of the coordinates; call them x and y";
   EXPECT_EQ(error("p.csv", "id,easting\n1,10\n2,20\n"), remedy);
   EXPECT_EQ(error("p.csv", "easting,northing,height\n1,10,5\n2,20,5\n"), remedy);
   EXPECT_EQ(error("p.csv", "easting,name,northing\n1,10,5\n2,20,5\n"), remedy);

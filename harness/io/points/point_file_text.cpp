@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -40,8 +42,8 @@ std::optional<std::size_t> column_of_axis(const TextTable& table, char axis, cha
     const std::string& name = table.header()[i];
     if (!has_word(name, axis) || has_word(name, other_axis)) continue;
     if (found) {
-      table.fail_in_header("columns " + shown(table.header()[*found]) + " and " + shown(name) + " could both be " +
-                           axis + "; call the coordinates x and y");
+      table.fail_in_header(fmt::format("columns {} and {} could both be {}; call the coordinates x and y",
+                                       shown(table.header()[*found]), shown(name), axis));
     }
     found = i;
   }
@@ -54,7 +56,7 @@ PointColumns columns_by_place(const TextTable& table) {
   const auto labels = std::count_if(header.begin(), header.end(), names_row_labels);
   if (header.size() == 2 && labels == 0) return {};
   if (header.size() == 3 && labels == 1 && names_row_labels(header[0])) return {1, 2, 0};
-  table.fail_in_header("the header does not tell which columns are the coordinates; call them x and y");
+  table.fail_in_header("the header does not name the columns of the coordinates; call them x and y");
 }
 
 PointColumns columns_by_header(const TextTable& table) {
@@ -62,8 +64,8 @@ PointColumns columns_by_header(const TextTable& table) {
   const std::optional<std::size_t> y = column_of_axis(table, 'y', 'x');
   if (x && y) return {*x, *y, std::nullopt};
   if (x || y) {
-    table.fail_in_header(std::string("the header names ") + (x ? "x" : "y") + " but not " + (x ? "y" : "x") +
-                         "; call both coordinates by their names");
+    table.fail_in_header(fmt::format("the header names {} but not {}; call both coordinates by their names",
+                                     x ? "x" : "y", x ? "y" : "x"));
   }
   return columns_by_place(table);
 }
@@ -75,8 +77,8 @@ PointColumns find_columns(const TextTable& table) {
     case 2: return {};
     case 3: return {1, 2, 0};
     default:
-      table.fail(std::to_string(table.columns().size()) +
-                 " column(s); write x y, or id x y, or a header that names the columns x and y");
+      table.fail(fmt::format("{} column(s); write x y, or id x y, or a header that names the columns x and y",
+                             table.columns().size()));
   }
 }
 
@@ -90,8 +92,10 @@ std::int64_t id_in(const TextTable& table, std::size_t column) {
 void require_counting(const TextTable& table, std::size_t column, std::optional<std::int64_t>& previous) {
   const std::int64_t id = id_in(table, column);
   if (previous && (id <= *previous || id - 1 != *previous)) {
-    table.fail("3 columns, but the first does not count up (" + std::to_string(id) + " after " +
-               std::to_string(*previous) + "), so it is no id; write x y, or a header that names x and y");
+    table.fail(
+        fmt::format("3 columns, but the first does not count up ({} after {}), so it is no id; write x y, or a header "
+                    "that names x and y",
+                    id, *previous));
   }
   previous = id;
 }

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -93,7 +95,7 @@ bool read_coordinates(TextLines& lines, std::vector<Point>& points) {
     split_columns(line, ' ', columns);
     if (ends_section(line, columns)) return true;
     if (columns.size() != 3) {
-      lines.fail(std::to_string(columns.size()) + " column(s); a node is a number, x and y (points in the plane only)");
+      lines.fail(fmt::format("{} column(s); a node is a number, x and y (points in the plane only)", columns.size()));
     }
     if (!is_label(columns[0])) lines.fail(shown(columns[0]) + " is not a node's number");
     points.push_back({parse_coordinate(lines, columns[1]), parse_coordinate(lines, columns[2])});
@@ -101,7 +103,7 @@ bool read_coordinates(TextLines& lines, std::vector<Point>& points) {
   return false;
 }
 
-// What a file says, section by section.
+// The content of a file, section by section.
 class TsplibReader {
  public:
   TsplibReader(const std::string& source, std::string_view text) : lines_(source, text) {}
@@ -143,8 +145,8 @@ class TsplibReader {
 
   std::vector<Point> checked(std::vector<Point>& points, const std::string& section) const {
     if (dimension_ && *dimension_ != points.size()) {
-      lines_.fail_as_a_whole("DIMENSION is " + std::to_string(*dimension_) + ", but " + section + " has " +
-                             std::to_string(points.size()) + " points; correct one of them");
+      lines_.fail_as_a_whole(fmt::format("DIMENSION is {}, but {} has {} points; correct one of them", *dimension_,
+                                         section, points.size()));
     }
     if (points.empty()) lines_.fail_as_a_whole("no points in " + section);
     return std::move(points);

@@ -1,6 +1,7 @@
 #include "harness/io/text/csv.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -21,9 +22,10 @@ constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 [[noreturn]] void fail(const std::string& path, const std::string& what) {
   const bool is_full = errno == ENOSPC || errno == EDQUOT || errno == EFBIG;
-  throw InputError(path + ": " + what + ": " + std::strerror(errno) +
-                   (is_full ? "; free some space and run again with --resume"
-                            : "; mend that and run again with --resume, or choose another folder with --out"));
+  throw InputError(fmt::format("{}: {}: {}{}", path, what, std::strerror(errno),
+                               is_full
+                                   ? "; free some space and run again with --resume"
+                                   : "; mend that and run again with --resume, or choose another folder with --out"));
 }
 
 std::string quoted(const std::string& field) {
@@ -120,10 +122,10 @@ void require_header(const std::string& file, const std::vector<CsvRow>& rows, co
   const std::string version = names_version ? " (its rows are of schema version " + rows[1].front() + ")" : "";
   const auto [difference, other] = std::mismatch(found.begin(), found.end(), wanted.begin(), wanted.end());
   const std::string what = difference == found.end() ? "missing" : quoted_part(*difference);
-  throw InputError(file + ": its columns are not those of this mwt" + version + ": column " +
-                   std::to_string(difference - found.begin() + 1) + " is " + what + " where '" +
-                   (other == wanted.end() ? "nothing" : *other) +
-                   "' should be; use the mwt that wrote it, or run the study anew with another --out");
+  throw InputError(
+      fmt::format("{}: its columns are not those of this mwt{}: column {} is {} where '{}' should be; use the mwt that "
+                  "wrote it, or run the study anew with another --out",
+                  file, version, difference - found.begin() + 1, what, other == wanted.end() ? "nothing" : *other));
 }
 
 CsvFile::CsvFile(std::string path, CsvRow header) : path_(std::move(path)), header_(std::move(header)) {

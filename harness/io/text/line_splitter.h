@@ -28,7 +28,7 @@ class LineSplitter {
   [[nodiscard]] bool split(const TextLines& lines, std::vector<std::string_view>& cells);
 
   /// What the last line was split at: a comma, a semicolon, a tab, a blank for runs of white space, or what "sep="
-  /// says.
+  /// names.
   [[nodiscard]] char separator() const { return separator_; }
 
  private:

@@ -1,11 +1,12 @@
 #include "harness/io/text/text.h"
 
+#include <fmt/core.h>
 #include <openssl/evp.h>
 
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -29,30 +30,19 @@ std::string finish(const DigestContext& context) {
   unsigned char digest[EVP_MAX_MD_SIZE];
   unsigned int size = 0;
   if (EVP_DigestFinal_ex(context.get(), digest, &size) != 1) throw std::runtime_error("SHA-256 failed");
-  static constexpr char kDigits[] = "0123456789abcdef";
   std::string text;
-  for (unsigned int i = 0; i < size; ++i) {
-    text += kDigits[digest[i] >> 4];
-    text += kDigits[digest[i] & 15];
-  }
+  for (unsigned int i = 0; i < size; ++i) fmt::format_to(std::back_inserter(text), "{:02x}", digest[i]);
   return text;
 }
 
 }  // namespace
 
-std::string fixed(double value, int digits) {
-  char buffer[400];
-  const int size = std::snprintf(buffer, sizeof buffer, "%.*f", digits, value);
-  return {buffer, static_cast<std::size_t>(size)};
-}
+std::string fixed(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
 
 namespace {
 
 // 200 parts of which 60 make a whole: "3:20".
-std::string in_sixtieths(long long parts) {
-  const std::string rest = std::to_string(parts % 60);
-  return std::to_string(parts / 60) + ':' + (rest.size() < 2 ? "0" : "") + rest;
-}
+std::string in_sixtieths(long long parts) { return fmt::format("{}:{:02}", parts / 60, parts % 60); }
 
 }  // namespace
 
@@ -112,6 +102,10 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) text.append(i == 0 ? "" : separator).append(words[i]);
   return text;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 std::string name_with_parameters(const std::string& name, const std::string& parameters) {

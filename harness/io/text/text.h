@@ -26,6 +26,9 @@ namespace mwt {
 
 [[nodiscard]] std::string joined(const std::vector<std::string>& words, std::string_view separator = ", ");
 
+/// "1 cell", "3 cells", "0 cells".
+[[nodiscard]] std::string counted(std::size_t count, std::string_view what);
+
 /// "patch k=14", or the name alone without parameters: what tables and messages call a configuration.
 [[nodiscard]] std::string name_with_parameters(const std::string& name, const std::string& parameters);
 

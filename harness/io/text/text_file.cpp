@@ -1,5 +1,7 @@
 #include "harness/io/text/text_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -69,8 +71,8 @@ void refuse_nul(std::string_view text, const std::string& source) {
   const std::size_t place = text.find('\0');
   if (place == std::string_view::npos) return;
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n');
-  throw InputError(source + ':' + std::to_string(line) +
-                   ": has a NUL byte, so it is no text, or UTF-16 without a byte order mark; save it as UTF-8");
+  throw InputError(fmt::format(
+      "{}:{}: has a NUL byte, so it is no text, or UTF-16 without a byte order mark; save it as UTF-8", source, line));
 }
 
 }  // namespace

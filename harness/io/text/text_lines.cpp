@@ -1,5 +1,7 @@
 #include "harness/io/text/text_lines.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -39,7 +41,7 @@ bool TextLines::next() {
 }
 
 void TextLines::fail_at(std::size_t number, const std::string& what) const {
-  throw InputError(source_ + ":" + std::to_string(number) + ": " + what);
+  throw InputError(fmt::format("{}:{}: {}", source_, number, what));
 }
 
 void TextLines::fail_as_a_whole(const std::string& what) const { throw InputError(source_ + ": " + what); }

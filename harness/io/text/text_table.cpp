@@ -1,11 +1,14 @@
 #include "harness/io/text/text_table.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/number_text.h"
 #include "harness/io/text/cell_text.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 
@@ -76,9 +79,8 @@ void TextTable::remove_outer_tabs() {
 
 void TextTable::require_equal_width() const {
   if (columns_.size() == width_) return;
-  fail(std::to_string(columns_.size()) + (columns_.size() == 1 ? " column" : " columns") + " where " +
-       (header_.empty() ? "the first row has " : "the header has ") + std::to_string(width_) +
-       "; give every row the same columns");
+  fail(fmt::format("{} where {} has {}; give every row the same columns", counted(columns_.size(), "column"),
+                   header_.empty() ? "the first row" : "the header", width_));
 }
 
 double TextTable::number(std::size_t column) const {
@@ -86,7 +88,7 @@ double TextTable::number(std::size_t column) const {
   const std::optional<double> value = parse_number(text);
   if (text.empty()) {
     const std::string name = header_.empty() ? "" : " (" + header_[column] + ")";
-    fail("column " + std::to_string(column + 1) + name + " is empty; write a number");
+    fail(fmt::format("column {}{} is empty; write a number", column + 1, name));
   }
   if (!value) fail(not_a_number(text));
   if (!std::isfinite(*value)) fail(shown(text) + " is not a finite double; leave the row out or scale the data down");

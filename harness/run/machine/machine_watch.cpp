@@ -1,5 +1,6 @@
 #include "harness/run/machine/machine_watch.h"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <sstream>
@@ -25,8 +26,7 @@ std::optional<std::uint64_t> throttle_events() {
   std::optional<std::uint64_t> sum;
   const long cpus = sysconf(_SC_NPROCESSORS_CONF);
   for (long cpu = 0; cpu < cpus; ++cpu) {
-    const std::string file =
-        "/sys/devices/system/cpu/cpu" + std::to_string(cpu) + "/thermal_throttle/core_throttle_count";
+    const std::string file = fmt::format("/sys/devices/system/cpu/cpu{}/thermal_throttle/core_throttle_count", cpu);
     if (const auto count = kilobytes_in(file, "")) sum = sum.value_or(0) + *count;
   }
   return sum;
@@ -52,8 +52,8 @@ std::vector<std::string> MachineWatch::warnings() const {
   const Counters now = read();
   std::vector<std::string> warnings;
   if (now.throttled && now.throttled > begin_.throttled) {
-    warnings.push_back("CPUs were slowed down by heat " +
-                       std::to_string(*now.throttled - begin_.throttled.value_or(0)) + " times meanwhile");
+    warnings.push_back(
+        fmt::format("CPUs were slowed down by heat {} times meanwhile", *now.throttled - begin_.throttled.value_or(0)));
   }
   if (now.swapped_pages > begin_.swapped_pages) warnings.push_back("memory was moved to or from swap meanwhile");
   const auto all = static_cast<double>(now.all_ticks - begin_.all_ticks);

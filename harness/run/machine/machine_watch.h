@@ -9,7 +9,7 @@
 namespace mwt {
 
 /// Times that the system slowed a CPU down because it was hot, since it was switched on, over all CPUs. Nothing where
-/// it does not tell (usual in virtual machines).
+/// the system does not report it (usual in virtual machines).
 [[nodiscard]] std::optional<std::uint64_t> throttle_events();
 
 /// Watches from its construction on.

@@ -5,7 +5,7 @@
 
 namespace mwt {
 
-/// Starts a stretch: the peak so far is forgotten, unless the system does not allow it (then the peak since the
+/// Starts a stretch: the peak so far is discarded, unless the system does not allow it (then the peak since the
 /// process began counts, which for a forked worker includes what it inherited).
 void reset_peak_memory();
 

@@ -18,7 +18,8 @@
 
 namespace mwt::testing {
 
-/// The address sanitizer's allocator keeps freed memory and ends the process where others say that none is left.
+/// The address sanitizer's allocator keeps freed memory and ends the process where other allocators report that none is
+/// left.
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr bool kUsualAllocator = false;
 #else

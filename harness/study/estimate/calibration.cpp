@@ -69,7 +69,7 @@ class Calibration {
     }
   }
 
-  // The largest size that is predicted to be quick, or the smallest if nothing is known yet.
+  // The largest size that is predicted to be quick, or the smallest without any observation.
   void try_next(Series& series) {
     std::size_t chosen = series.next;
     for (std::size_t i = series.next; i < series.sizes.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "harness/study/estimate/dry_run.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -24,8 +26,7 @@ constexpr double kCalibrationTime = 8;  // s
 template <class Number>
 std::string listed(const std::set<Number>& numbers) {
   if (numbers.size() > kMaxListed) {
-    return std::to_string(*numbers.begin()) + " .. " + std::to_string(*numbers.rbegin()) + " (" +
-           std::to_string(numbers.size()) + " of them)";
+    return fmt::format("{} .. {} ({} of them)", *numbers.begin(), *numbers.rbegin(), numbers.size());
   }
   std::vector<std::string> texts;
   for (const Number number : numbers) texts.push_back(std::to_string(number));
@@ -75,15 +76,16 @@ std::string algorithm_table(const Plan& plan) {
 }
 
 std::string limits_text(const RunLimits& limits) {
-  return readable_duration(limits.time_s) + ", " + std::to_string(limits.memory_bytes >> 20) + " MB";
+  return fmt::format("{}, {} MB", readable_duration(limits.time_s), limits.memory_bytes >> 20);
 }
 
 std::string optimum_text(const Study& study) {
   if (!study.seeks_optimum) return "not sought";
   std::vector<std::string> names;
   for (const OptimumSource& source : study.optimum_sources) names.push_back(source.algorithm);
-  return "sought by " + (names.empty() ? "every exact algorithm that takes the instance" : joined(names)) + "; each " +
-         limits_text(study.optimum_limits) + "; what the optimum cache has is not sought";
+  return fmt::format("sought by {}; each {}; what the optimum cache has is not sought",
+                     names.empty() ? "every exact algorithm that takes the instance" : joined(names),
+                     limits_text(study.optimum_limits));
 }
 
 std::string basis_text(TimeBasis basis) {
@@ -93,15 +95,15 @@ std::string basis_text(TimeBasis basis) {
     case TimeBasis::other_sizes: return "extrapolated from other sizes of the family";
     case TimeBasis::other_families: return "as on other families";
     case TimeBasis::other_variants: return "as with other parameters";
-    case TimeBasis::nothing: return "of which nothing is known, at their limits";
+    case TimeBasis::nothing: return "without any observation, at their limits";
   }
   return "";
 }
 
 std::string estimate_text(const DurationEstimate& estimate) {
-  std::string text = "about " + readable_duration(estimate.likely) + ", probably between " +
-                     readable_duration(estimate.low) + " and " + readable_duration(estimate.high) +
-                     "; with every run and search at its limit " + readable_duration(estimate.most) + '\n';
+  std::string text = fmt::format("about {}, probably between {} and {}; with every run and search at its limit {}\n",
+                                 readable_duration(estimate.likely), readable_duration(estimate.low),
+                                 readable_duration(estimate.high), readable_duration(estimate.most));
   AlignedTable table({"of that", "runs", ""}, {2});
   for (const auto& [basis, part] : estimate.runs) {
     table.add_row({readable_duration(part.seconds), std::to_string(part.count), basis_text(basis)});

@@ -1,4 +1,4 @@
-// What `mwt run STUDY --dry-run` says.
+// What `mwt run STUDY --dry-run` prints.
 #pragma once
 
 #include <ostream>

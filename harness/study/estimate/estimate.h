@@ -1,4 +1,4 @@
-// How long a study will take, as far as can be told before it runs.
+// How long a study will take, estimated before it runs.
 #pragma once
 
 #include <cstddef>

@@ -52,8 +52,8 @@ std::optional<TimeObservation> observed(const RunRecord& run) {
   return TimeObservation{*seconds, near_limit && run.stopped_early.value_or(false), true};
 }
 
-// A search asks its first source, and the others only if that proves nothing.
-bool tells_time_of_its_source(const InstanceRecord& instance) {
+// A search runs its first source, and the others only if that proves nothing.
+bool is_time_of_its_source(const InstanceRecord& instance) {
   return instance.optimum_time_s && std::isfinite(*instance.optimum_time_s) && instance.optimum_note.empty() &&
          !instance.optimum_source.empty() && instance.optimality == name_of(Optimality::proved);
 }
@@ -81,7 +81,7 @@ PastTimes add_past_times(TimeModel& model, const std::vector<std::string>& folde
       ++past.runs;
     }
     for (const InstanceRecord& instance : records.instances) {
-      if (!tells_time_of_its_source(instance) || !environments.contains(instance.env_id)) continue;
+      if (!is_time_of_its_source(instance) || !environments.contains(instance.env_id)) continue;
       model.add(
           {instance.optimum_source, name_with_parameters(instance.generator, instance.generator_params), instance.n},
           {*instance.optimum_time_s, false, true});

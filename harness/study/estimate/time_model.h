@@ -54,7 +54,7 @@ class TimeModel {
  public:
   void add(const TimedCell& cell, const TimeObservation& observation);
 
-  /// No run takes longer than `limit_s`; without any observation nothing better is known.
+  /// No run takes longer than `limit_s`; without any observation, that is the prediction.
   [[nodiscard]] TimePrediction predict(const TimedCell& cell, double limit_s) const;
 
  private:

@@ -1,5 +1,7 @@
 #include "harness/tracking/comparison/comparison.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -30,7 +32,7 @@ std::set<std::string> values_of_field(const Runs& runs, std::string RunRecord::*
   return values;
 }
 
-/// Runs without an instance have failed before they had one; they do not say that it is another.
+/// Runs without an instance failed before they had one; they are no sign of another instance.
 bool same_instance(const CommonCell& cell) {
   std::set<std::string> base = values_of_field(cell.base, &RunRecord::instance_id);
   std::set<std::string> now = values_of_field(cell.now, &RunRecord::instance_id);
@@ -76,9 +78,9 @@ bool succeeded(const Runs& runs) {
 /// "3 cells only in the base: a; b; c", a few of them by name.
 std::string naming(const std::vector<std::string>& cells, const std::string& what) {
   constexpr std::size_t kNamed = 5;
-  std::string text = std::to_string(cells.size()) + (cells.size() == 1 ? " cell " : " cells ") + what + ": ";
+  std::string text = fmt::format("{} {}: ", counted(cells.size(), "cell"), what);
   for (std::size_t i = 0; i < std::min(kNamed, cells.size()); ++i) text += (i == 0 ? "" : "; ") + cells[i];
-  return cells.size() > kNamed ? text + "; and " + std::to_string(cells.size() - kNamed) + " more" : text;
+  return cells.size() > kNamed ? fmt::format("{}; and {} more", text, cells.size() - kNamed) : text;
 }
 
 class Comparer {
@@ -108,7 +110,7 @@ class Comparer {
   }
 
   void note_count(std::size_t count, const std::string& what) {
-    if (count > 0) note(std::to_string(count) + (count == 1 ? " cell " : " cells ") + what);
+    if (count > 0) note(fmt::format("{} {}", counted(count, "cell"), what));
   }
 
   void collect_common_cells() {
@@ -136,7 +138,7 @@ class Comparer {
     name_cells(comparison_.only_in_new, "only in the new results");
   }
 
-  /// What failed before and fails now is no finding; it must not be forgotten either.
+  /// What failed before and fails now is no finding, but it is listed.
   void name_failing_cells() {
     std::vector<std::string> failing;
     const auto has_failure = [](const Runs& runs) {
@@ -160,7 +162,7 @@ class Comparer {
     }
     for (const auto& [cell, runs] : runs_of_now_) vanished.erase(algorithm_label(cell));
     for (const auto& [label, algorithm] : vanished) {
-      const std::string cells = std::to_string(algorithm.second) + (algorithm.second == 1 ? " cell" : " cells");
+      const std::string cells = counted(algorithm.second, "cell");
       comparison_.findings.push_back(
           {algorithm.first, Aspect::failures, true, "has no runs any more; the base has " + cells});
     }
@@ -177,9 +179,9 @@ class Comparer {
   void note_other_machines() {
     const std::size_t count = comparison_.cells_of_other_machines;
     if (count == 0) return;
-    const std::string cells = count == common_.size() ? "" : " of " + std::to_string(count) + " cells";
+    const std::string cells = count == common_.size() ? "" : fmt::format(" of {} cells", count);
     note("the machines differ" + (comparison_.options.force
-                                      ? ": ratios of times" + cells + " say as much about them as about the programs"
+                                      ? ": ratios of times" + cells + " compare the machines as much as the programs"
                                       : ": times" + cells + " are not compared (--force compares them nevertheless)"));
   }
 
@@ -232,7 +234,7 @@ class Comparer {
 
   void note_load() { note("load: base " + load_text(state_of(base_)) + "; new results " + load_text(state_of(now_))); }
 
-  /// Of pairs everything can be told; of two folders nothing is excluded unless the machine was in the same state.
+  /// Pairs can exclude a slowdown; two folders cannot, unless the machine was in the same state.
   Measuring measuring(bool has_delaunay_time) {
     if (comparison_.options.paired) return {has_delaunay_time, true};
     const std::string difference = difference_of_states(has_delaunay_time);
@@ -242,10 +244,11 @@ class Comparer {
 
   /// Why a slowdown may not show in two folders; empty if there is no reason.
   std::string difference_of_states(bool has_delaunay_time) const {
-    if (!has_delaunay_time) return "nothing tells whether the machine was as fast both times";
+    if (!has_delaunay_time) return "without the Delaunay time it is unknown whether the machine was as fast both times";
     for (const ResultSet* side : {&base_, &now_}) {
       if (was_busy(state_of(*side))) return "the machine was busy with other programs";
-      if (!was_idle(state_of(*side))) return "no CPU times tell whether the machine was busy with other programs";
+      if (!was_idle(state_of(*side)))
+        return "without CPU times it is unknown whether the machine was busy with other programs";
     }
     std::vector<double> log_ratios;
     for (const CommonCell& cell : common_) {
@@ -290,7 +293,7 @@ class Comparer {
         "measured at different times: only differences beyond machine drift are reported; --build-a and --build-b run "
         "two builds in turn, which shows smaller ones");
     if (!has_delaunay_time) note("no Delaunay time in these results: what slows all algorithms alike does not show");
-    if (timed.size() < kCellsToTellSpread)
+    if (timed.size() < kMinCellsForSpread)
       note("too few cells to see how differently the two sessions treat them: cells are judged by repetitions alone");
   }
 
@@ -301,8 +304,9 @@ class Comparer {
     const double cells = static_cast<double>(timed.size());
     const auto needed = static_cast<std::size_t>(std::ceil(std::log2(cells / comparison_.options.error_rate)));
     if (pairs < needed) {
-      note("too few repetitions to tell a single cell's change from noise: " + std::to_string(needed) +
-           " are needed for so many cells");
+      note(fmt::format(
+          "too few repetitions to distinguish a single cell's change from noise: {} are needed for so many cells",
+          needed));
     }
   }
 
@@ -371,9 +375,10 @@ std::string name_of(Outcome outcome) {
 
 Comparison compare(const ResultSet& base, const ResultSet& now, const CompareOptions& options) {
   if (base.schema_version != now.schema_version) {
-    throw InputError(base.folder + " holds records of schema version " + std::to_string(base.schema_version) + ", " +
-                     now.folder + " of version " + std::to_string(now.schema_version) +
-                     ": their columns need not mean the same; run the older study anew");
+    throw InputError(
+        fmt::format("{} holds records of schema version {}, {} of version {}: their columns need not mean the same; "
+                    "run the older study anew",
+                    base.folder, base.schema_version, now.folder, now.schema_version));
   }
   if (base.has_ticking_clock == now.has_ticking_clock) return Comparer(base, now, options).compare();
   // What one side was timed with must be what the other side was timed with.

@@ -47,9 +47,8 @@ enum class Outcome {
 
 struct Comparison {
   CompareOptions options;
-  std::string time_measure;  ///< what was compared; empty if no times were
-  std::vector<std::string>
-      notes;  ///< what the reader must know: refusals, cells of one side only, load, no Delaunay time
+  std::string time_measure;        ///< what was compared; empty if no times were
+  std::vector<std::string> notes;  ///< for the reader: refusals, cells of one side only, load, no Delaunay time
   std::vector<TimeRow> algorithms;
   std::vector<TimeRow> cells;
   std::vector<ExactFinding> findings;

@@ -108,7 +108,7 @@ TEST(Compare, SaysThatThereAreTooFewPairs) {
   };
   EXPECT_EQ(text().find("too few repetitions"), std::string::npos);
   study.repetitions = 8;  // 24 cells: 2^-9 < 0.05 / 24 < 2^-8
-  EXPECT_NE(text().find("too few repetitions to tell a single cell's change from noise: 9 are needed"),
+  EXPECT_NE(text().find("too few repetitions to distinguish a single cell's change from noise: 9 are needed"),
             std::string::npos);
 }
 

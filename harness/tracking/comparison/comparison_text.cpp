@@ -1,5 +1,7 @@
 #include "harness/tracking/comparison/comparison_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -92,10 +94,6 @@ std::string markdown_row(const CsvRow& cells) {
   return line + '\n';
 }
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
-
 /// The rows with this verdict to report: algorithms first; cells only of algorithms that are not among them.
 std::vector<std::string> told_times(const Comparison& comparison, Verdict verdict) {
   std::vector<std::string> names;
@@ -108,16 +106,16 @@ std::vector<std::string> told_times(const Comparison& comparison, Verdict verdic
   for (const TimeRow& row : comparison.cells) {
     const bool covered = std::find(algorithms.begin(), algorithms.end(), row.algorithm) != algorithms.end();
     if (row.verdict == verdict && !covered)
-      names.push_back("time of " + row.algorithm + " on " + row.instance + " x" + fixed(row.ratio.value, 3));
+      names.push_back(fmt::format("time of {} on {} x{:.3f}", row.algorithm, row.instance, row.ratio.value));
   }
   return names;
 }
 
-std::vector<std::string> told(const Comparison& comparison, Verdict verdict) {
+std::vector<std::string> reported(const Comparison& comparison, Verdict verdict) {
   std::vector<std::string> names = told_times(comparison, verdict);
   for (const ExactFinding& finding : comparison.findings) {
     if (finding.is_regression == (verdict == Verdict::regression))
-      names.push_back(algorithm_label(finding.cell) + " on " + place_of(finding) + ": " + finding.text);
+      names.push_back(fmt::format("{} on {}: {}", algorithm_label(finding.cell), place_of(finding), finding.text));
   }
   return names;
 }
@@ -199,8 +197,8 @@ std::string markdown_of(const Comparison& comparison, Cells listed) {
   std::string text = "**" + verdict_line(comparison) + "**\n\n";
   for (const std::string& note : comparison.notes) text += "- " + note + '\n';
   for (const Section& section : sections_of(comparison, listed)) {
-    text += "\n### " + section.title + "\n\n" + markdown_row(section.header) +
-            markdown_row(CsvRow(section.header.size(), "---"));
+    text += fmt::format("\n### {}\n\n{}{}", section.title, markdown_row(section.header),
+                        markdown_row(CsvRow(section.header.size(), "---")));
     for (const CsvRow& row : section.rows) text += markdown_row(row);
   }
   return text;
@@ -213,21 +211,22 @@ template <class TextOf>
 std::string both_texts(const Settled& settled, bool every_cell, const std::string& title, TextOf text_of_part) {
   const Cells listed = listed_cells(every_cell);
   if (!settled.in_turn) return text_of_part(settled.folders, listed);
-  return text_of_part(settled.folders, every_cell ? Cells::all : Cells::that_differ) + '\n' + title + "\n\n" +
-         text_of_part(*settled.in_turn, listed);
+  return fmt::format("{}\n{}\n\n{}", text_of_part(settled.folders, every_cell ? Cells::all : Cells::that_differ), title,
+                     text_of_part(*settled.in_turn, listed));
 }
 
 }  // namespace
 
 std::string verdict_line(const Comparison& comparison) {
-  const std::vector<std::string> worse = told(comparison, Verdict::regression);
-  const std::vector<std::string> better = told(comparison, Verdict::improvement);
+  const std::vector<std::string> worse = reported(comparison, Verdict::regression);
+  const std::vector<std::string> better = reported(comparison, Verdict::improvement);
   const std::vector<std::string> open = told_times(comparison, Verdict::unclear);
-  const std::string unclear = open.empty() ? "" : ", " + std::to_string(open.size()) + " unclear" + in_brackets(open);
+  const std::string unclear = open.empty() ? "" : fmt::format(", {} unclear{}", open.size(), in_brackets(open));
   const bool is_refused = comparison.outcome() == Outcome::not_compared;
-  return counted(worse.size(), "regression") + in_brackets(worse) + ", " + counted(better.size(), "improvement") +
-         in_brackets(better) + unclear + " in " + counted(comparison.compared_cells, "cell") +
-         (is_refused ? "; times were not compared: the machines differ" : "");
+  return fmt::format("{}{}, {}{}{} in {}{}", counted(worse.size(), "regression"), in_brackets(worse),
+                     counted(better.size(), "improvement"), in_brackets(better), unclear,
+                     counted(comparison.compared_cells, "cell"),
+                     is_refused ? "; times were not compared: the machines differ" : "");
 }
 
 std::string verdict_line(const Settled& settled) {
@@ -235,7 +234,7 @@ std::string verdict_line(const Settled& settled) {
   std::vector<std::string> worse;
   for (const ExactFinding& finding : settled.folders.findings) {
     if (finding.is_regression && !finding.depends_on_speed)
-      worse.push_back(algorithm_label(finding.cell) + " on " + place_of(finding) + ": " + finding.text);
+      worse.push_back(fmt::format("{} on {}: {}", algorithm_label(finding.cell), place_of(finding), finding.text));
   }
   if (settled.in_turn && !worse.empty())
     line += "; before: " + counted(worse.size(), "regression") + in_brackets(worse);
@@ -256,13 +255,13 @@ std::string comparison_markdown(const Comparison& comparison, bool every_cell) {
 std::string comparison_json(const Comparison& comparison) { return json_of(comparison).dump(1) + '\n'; }
 
 std::string settled_text(const Settled& settled, bool every_cell) {
-  return name_of(settled.outcome()) + ": " + verdict_line(settled) + "\n\n" +
-         both_texts(settled, every_cell, kInTurn, text_of);
+  return fmt::format("{}: {}\n\n{}", name_of(settled.outcome()), verdict_line(settled),
+                     both_texts(settled, every_cell, kInTurn, text_of));
 }
 
 std::string settled_markdown(const Settled& settled, bool every_cell) {
-  return "**" + name_of(settled.outcome()) + "**: " + verdict_line(settled) + "\n\n" +
-         both_texts(settled, every_cell, std::string("## ") + kInTurn, markdown_of);
+  return fmt::format("**{}**: {}\n\n{}", name_of(settled.outcome()), verdict_line(settled),
+                     both_texts(settled, every_cell, std::string("## ") + kInTurn, markdown_of));
 }
 
 std::string settled_json(const Settled& settled) {

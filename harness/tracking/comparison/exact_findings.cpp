@@ -1,5 +1,7 @@
 #include "harness/tracking/comparison/exact_findings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -16,7 +18,7 @@ constexpr double kMemorySlack = 4 << 20;  // two huge pages
 using Runs = std::vector<const RunRecord*>;
 
 std::string change_text(const std::string& what, double before, double after) {
-  return what + ' ' + number_text(before) + " -> " + number_text(after);
+  return fmt::format("{} {} -> {}", what, number_text(before), number_text(after));
 }
 
 /// The certified interval that holds the weights of all repeatable runs; nothing if there is none.
@@ -68,7 +70,7 @@ struct Share {
 
   [[nodiscard]] std::string text() const {
     if (count == 0) return "none";
-    return std::to_string(count) + " of " + std::to_string(runs) + " (" + joined(kinds) + ")";
+    return fmt::format("{} of {} ({})", count, runs, joined(kinds));
   }
 };
 
@@ -102,8 +104,8 @@ void compare_shares(const TrackedCell& cell, const Share& before, const Share& a
   const bool depends_on_speed = std::all_of(kinds.begin(), kinds.end(), [](const std::string& kind) {
     return kind == name_of(RunStatus::timeout) || kind == "stopped early";
   });
-  findings.push_back(
-      {cell, Aspect::failures, worse, what + ": " + before.text() + " -> " + after.text(), depends_on_speed});
+  findings.push_back({cell, Aspect::failures, worse, fmt::format("{}: {} -> {}", what, before.text(), after.text()),
+                      depends_on_speed});
 }
 
 void compare_failures(const TrackedCell& cell, const Runs& base, const Runs& now, std::vector<ExactFinding>& findings) {

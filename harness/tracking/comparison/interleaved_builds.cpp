@@ -1,5 +1,6 @@
 #include "harness/tracking/comparison/interleaved_builds.h"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -60,30 +61,29 @@ std::string toml_table(const std::string& parameters, const std::optional<std::s
 std::string source_of(const Study& study, const PlannedInstance& instance) {
   if (instance.generator == kFileGenerator) {
     const std::string name = instance.parameters.substr(std::string("file=").size());
-    return "[instances]\nfolder = " + quoted(fs::absolute(study.instance_files.folder).string()) + "\nfiles = [" +
-           quoted(pattern_of(name)) + "]\n";
+    return fmt::format("[instances]\nfolder = {}\nfiles = [{}]\n",
+                       quoted(fs::absolute(study.instance_files.folder).string()), quoted(pattern_of(name)));
   }
-  return "[[families]]\nname = " + quoted(instance.generator) + "\nparameters = " + toml_table(instance.parameters) +
-         "\nsizes = [" + std::to_string(instance.n) + "]\n";
+  return fmt::format("[[families]]\nname = {}\nparameters = {}\nsizes = [{}]\n", quoted(instance.generator),
+                     toml_table(instance.parameters), instance.n);
 }
 
 /// A study of one cell and one repetition.
 std::string study_of(const Study& study, const PlannedInstance& instance, const PlannedRun& run) {
   const RunLimits& limits = study.limits;
-  return "name = \"cell\"\nsummary = \"one cell\"\nseeds = [" + std::to_string(instance.seed) +
-         "]\nalgorithms = [{ name = " + quoted(run.algorithm->name) +
-         ", parameters = " + toml_table(run.parameters.canonical(), run.start_file) +
-         " }]\nthreads = " + std::to_string(study.threads) + "\nmin_time_s = " + number_text(study.min_time_s) +
-         "\n[limits]\ntime_s = " + number_text(limits.time_s) + "\ngrace_s = " + number_text(limits.grace_s) +
-         "\nmemory_mb = " + std::to_string(std::max<std::uint64_t>(1, limits.memory_bytes >> 20)) +
-         "\n[optimum]\nseek = false\n" + source_of(study, instance);
+  return fmt::format(
+      "name = \"cell\"\nsummary = \"one cell\"\nseeds = [{}]\nalgorithms = [{{ name = {}, parameters = {} }}]\nthreads "
+      "= {}\nmin_time_s = {}\n[limits]\ntime_s = {}\ngrace_s = {}\nmemory_mb = {}\n[optimum]\nseek = false\n{}",
+      instance.seed, quoted(run.algorithm->name), toml_table(run.parameters.canonical(), run.start_file), study.threads,
+      number_text(study.min_time_s), number_text(limits.time_s), number_text(limits.grace_s),
+      std::max<std::uint64_t>(1, limits.memory_bytes >> 20), source_of(study, instance));
 }
 
 void require_algorithms(const Plan& plan, const Study& study, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const bool has_it = std::any_of(plan.runs.begin(), plan.runs.end(),
                                     [&](const PlannedRun& run) { return run.algorithm->name == name; });
-    if (!has_it) throw InputError("study '" + study.name + "' has no algorithm '" + name + "'");
+    if (!has_it) throw InputError(fmt::format("study '{}' has no algorithm '{}'", study.name, name));
   }
 }
 
@@ -131,10 +131,9 @@ class Side {
     fs::remove_all(records);
     const int code = run_program({program_, "run", study_file, "--out", records.string(), "--no-cache"}, log);
     if (InterruptWatch::requested()) return;
-    // A failed run is a row, whatever the program's exit code says of it.
+    // A failed run is a row, whatever the program's exit code.
     const bool has_records = code == kExitOk || (code == kExitNegative && fs::exists(records / "runs.csv"));
-    if (!has_records)
-      throw InputError(program_ + ": exit code " + std::to_string(code) + ": " + end_of(read_file(log)));
+    if (!has_records) throw InputError(fmt::format("{}: exit code {}: {}", program_, code, end_of(read_file(log))));
     adopt(cell, read_results(records.string()), repetition);
   }
 
@@ -157,7 +156,7 @@ class Side {
       run.env_id = env_id_;
       run.params = cell.params;  // without the path of a start
       run.repetition = repetition;
-      run.run_id = short_hash(run.run_id + '\n' + std::to_string(repetition));
+      run.run_id = short_hash(fmt::format("{}\n{}", run.run_id, repetition));
       results_.append(run);
     }
   }
@@ -244,8 +243,8 @@ bool InterleavedBuilds::is_out_of_time() const {
 
 int InterleavedBuilds::repetitions() const { return sides_->repetition; }
 
-bool InterleavedBuilds::run(const std::set<TrackedCell>& wanted, int repetitions) {
-  std::vector<TrackedCell> order(wanted.begin(), wanted.end());
+bool InterleavedBuilds::run(const std::set<TrackedCell>& chosen, int repetitions) {
+  std::vector<TrackedCell> order(chosen.begin(), chosen.end());
   const InterruptWatch watch;
   Progress progress(out_, options_.is_terminal, "pairs", order.size() * static_cast<std::size_t>(repetitions));
   for (const int end = sides_->repetition + repetitions; sides_->repetition < end; ++sides_->repetition) {
@@ -253,7 +252,7 @@ bool InterleavedBuilds::run(const std::set<TrackedCell>& wanted, int repetitions
     for (const TrackedCell& cell : order) {
       if (InterruptWatch::requested()) break;
       sides_->run(cell, studies_.at(cell));
-      progress.advance(false, "repetition " + std::to_string(sides_->repetition + 1));
+      progress.advance(false, fmt::format("repetition {}", sides_->repetition + 1));
     }
     if (is_out_of_time()) {
       ++sides_->repetition;

@@ -23,19 +23,19 @@ struct InterleavedOptions {
   std::string folder;                   ///< gets the results: FOLDER/base and FOLDER/new
   std::vector<std::string> algorithms;  ///< only these of the study; empty: all
   std::uint64_t seed = 1;               ///< of the order
-  std::optional<double> budget_s;       ///< after so long no repetition begins, but the first of each run()
+  std::optional<double> budget_s;       ///< after so long no repetition begins except the first of each run()
   bool is_terminal = false;
 };
 
-/// In each repetition every wanted cell of the study, in a new random order, is run once by both builds, one right
+/// In each repetition every chosen cell of the study, in a new random order, is run once by both builds, one right
 /// after the other; which one begins is drawn anew each time. Every run is a `mwt run` of a study of one cell, so that
-/// the two builds need to agree on study files and the names of records' columns only. Optima are not sought: the
-/// instance being the same, weights say as much.
+/// the two builds need to agree on study files and the names of records' columns only. Optima are not sought: on the
+/// same instance, weights compare as well.
 ///
 /// Leaves two folders of results, as if each build had run the study with so many repetitions. Progress goes to `out`.
 ///
-/// Throws InputError: no such program; it fails (with the end of what it said); the folder holds something already; the
-/// study has not all of `algorithms`, or nothing to run.
+/// Throws InputError: no such program; it fails (with the end of its output); the folder holds something already; the
+/// study lacks one of `algorithms`, or has nothing to run.
 class InterleavedBuilds {
  public:
   InterleavedBuilds(const Study& study, const Catalogue& catalogue, const InterleavedOptions& options,
@@ -48,8 +48,8 @@ class InterleavedBuilds {
   [[nodiscard]] std::set<TrackedCell> cells() const;
 
   /// So many repetitions more of these cells, or as many as the budget allows. False if interrupted: the results are
-  /// then those of the complete repetitions and a part of the next. Precondition: `wanted` is a part of cells().
-  [[nodiscard]] bool run(const std::set<TrackedCell>& wanted, int repetitions);
+  /// then those of the complete repetitions and a part of the next. Precondition: `chosen` is a part of cells().
+  [[nodiscard]] bool run(const std::set<TrackedCell>& chosen, int repetitions);
 
   [[nodiscard]] bool is_out_of_time() const;
   [[nodiscard]] int repetitions() const;  ///< so far

@@ -1,7 +1,11 @@
 #include "harness/tracking/comparison/settle.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
+
+#include "harness/io/text/text.h"
 
 namespace mwt {
 
@@ -32,7 +36,7 @@ void take_over_rows(std::vector<TimeRow>& all, std::vector<TimeRow> latest) {
   }
 }
 
-/// What more repetitions may settle. An algorithm that is known to be slower needs none.
+/// The cells that more repetitions may settle. An algorithm that is proved slower needs none.
 std::set<TrackedCell> unclear_cells(const Comparison& comparison) {
   std::set<TrackedCell> cells = comparison.cells_that_are({Verdict::unclear});
   for (const TimeRow& row : comparison.algorithms) {
@@ -65,13 +69,12 @@ std::optional<Comparison> settle(std::set<TrackedCell> cells, InterleavedBuilds&
     if (!builds.run(cells, repetitions)) return std::nullopt;
     Comparison latest = compare(of_cells(read_results(builds.base_folder()), cells),
                                 of_cells(read_results(builds.new_folder()), cells), options);
-    latest.notes.insert(latest.notes.begin(), "look " + std::to_string(look) + ": " + std::to_string(cells.size()) +
-                                                  (cells.size() == 1 ? " cell" : " cells") + ", both builds " +
-                                                  std::to_string(builds.repetitions()) + " times in turn");
+    latest.notes.insert(latest.notes.begin(), fmt::format("look {}: {}, both builds {} times in turn", look,
+                                                          counted(cells.size(), "cell"), builds.repetitions()));
     take_over(all, std::move(latest), cells);
     cells = unclear_cells(all);
     if (!builds.is_out_of_time()) continue;
-    if (!cells.empty()) all.notes.emplace_back("the time for runs in turn was up: what is unclear stays so");
+    if (!cells.empty()) all.notes.emplace_back("the time for runs in turn was up: unclear cells stay unclear");
     break;
   }
   return all;

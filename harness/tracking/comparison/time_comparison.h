@@ -26,8 +26,8 @@ struct TimeJudgement {
                                             double threshold);
 
 /// Makes `judgement` less sure unless its ratio also stands out from those of all cells (its own included), whose
-/// spread says how differently two sessions treat a cell: Student's t with 3 degrees of freedom. So much may also have
-/// hidden a slowdown: what is excluded must stand off from the threshold likewise.
+/// spread shows how much a cell differs between two sessions: Student's t with 3 degrees of freedom. So much may also
+/// have hidden a slowdown: what is excluded must stand off from the threshold likewise.
 void require_standing_out(TimeJudgement& judgement, const std::vector<double>& log_ratios_of_all, double threshold);
 
 /// Makes `judgement` less sure unless `own` log ratios are also slower (or faster) than `others` by more than the

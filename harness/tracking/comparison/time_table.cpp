@@ -80,7 +80,7 @@ class TableMaker {
     } else {
       judged.row.observations = std::min(cell.base.size(), cell.now.size());
       judged.judgement = judge_log_times(values_of(cell.base), values_of(cell.now), options_.threshold);
-      if (cells_.size() >= kCellsToTellSpread) require_standing_out(judged.judgement, log_ratios_, options_.threshold);
+      if (cells_.size() >= kMinCellsForSpread) require_standing_out(judged.judgement, log_ratios_, options_.threshold);
     }
     return judged;
   }
@@ -98,7 +98,7 @@ class TableMaker {
       if (std::find(members.begin(), members.end(), i) == members.end()) others.push_back(log_ratios_[i]);
     }
     require_difference_from_others(judged.judgement, observations, others, options_.threshold);
-    // Without the Delaunay time, slower algorithms cannot be told from a slower machine.
+    // Without the Delaunay time, slower algorithms cannot be distinguished from a slower machine.
     if (others.empty() && !measuring_.has_delaunay_time) judged.judgement.p_slower = judged.judgement.p_faster = 1;
     return judged;
   }

@@ -1,5 +1,5 @@
 // The times of two sides, cell by cell and algorithm by algorithm: which rows are slower or faster, and how sure that
-// is. comparison.h says by which rules.
+// is. The rules are in comparison.h.
 #pragma once
 
 #include <cstddef>
@@ -58,8 +58,8 @@ struct TimedCell {
 /// The `name` and `algorithm` of the row of all algorithms.
 inline constexpr const char* kAllAlgorithms = "all";
 
-/// With fewer cells nobody sees how differently two sessions treat a cell; cells are then judged by repetitions alone.
-inline constexpr std::size_t kCellsToTellSpread = 5;
+/// Fewer cells do not show how much a cell differs between two sessions; they are then judged by repetitions alone.
+inline constexpr std::size_t kMinCellsForSpread = 5;
 
 /// now - base for each repetition that both sides have.
 [[nodiscard]] Repetitions paired_log_ratios(const TimedCell& cell);
@@ -69,7 +69,7 @@ struct TimeTable {
   std::vector<TimeRow> cells;
 };
 
-/// What is known of how two sides were measured.
+/// How two sides were measured.
 struct Measuring {
   bool has_delaunay_time = false;
   bool can_exclude = false;  ///< whether a slowdown that does not show is none: the machine was in the same state

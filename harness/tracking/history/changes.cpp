@@ -1,5 +1,7 @@
 #include "harness/tracking/history/changes.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -134,13 +136,13 @@ std::string where(const Change& change) {
   std::vector<std::string> places;
   for (const SeriesStep& step : change.steps) {
     const TrackedCell& cell = step.key.cell;
-    const std::string place = family_label(cell) + " n=" + std::to_string(cell.n);
+    const std::string place = fmt::format("{} n={}", family_label(cell), cell.n);
     if (std::find(places.begin(), places.end(), place) == places.end()) places.push_back(place);
   }
   constexpr std::size_t kNamed = 4;
   const std::size_t more = places.size() > kNamed ? places.size() - kNamed : 0;
   places.resize(places.size() - more);
-  return joined(places) + (more > 0 ? " and " + std::to_string(more) + " more" : "");
+  return joined(places) + (more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 std::string short_commit(const std::string& commit) { return commit.substr(0, 10); }
@@ -175,10 +177,10 @@ std::vector<Change> find_changes(const std::vector<NightlyRun>& nightly_runs, co
 
 std::string describe(const Change& change, const std::vector<NightlyRun>& nightly_runs) {
   const NightlyRun& nightly_run = nightly_runs[change.nightly_run];
-  return nightly_run.recorded_at.substr(0, 10) + ' ' + (change.is_regression ? "regression " : "improvement ") +
-         change.algorithm + ": " + name_of(change.aspect) + ' ' + amount(change) + " on " + where(change) + " (" +
-         short_commit(nightly_runs[change.previous_nightly_run].git_commit) + ".." +
-         short_commit(nightly_run.git_commit) + ")";
+  return fmt::format("{} {}{}: {} {} on {} ({}..{})", nightly_run.recorded_at.substr(0, 10),
+                     change.is_regression ? "regression " : "improvement ", change.algorithm, name_of(change.aspect),
+                     amount(change), where(change), short_commit(nightly_runs[change.previous_nightly_run].git_commit),
+                     short_commit(nightly_run.git_commit));
 }
 
 }  // namespace mwt

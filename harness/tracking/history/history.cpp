@@ -1,5 +1,11 @@
 #include "harness/tracking/history/history.h"
 
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Exception.h>
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
+#include <SQLiteCpp/VariadicBind.h>
+#include <fmt/core.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -17,6 +23,8 @@ namespace {
 
 constexpr int kHistoryVersion = 2;
 constexpr int kPatienceMs = 30000;
+// Takes the write lock at once, so that what the transaction reads stays true.
+constexpr SQLite::TransactionBehavior kWriting = SQLite::TransactionBehavior::IMMEDIATE;
 
 constexpr const char* kTables = R"(
 CREATE TABLE IF NOT EXISTS night (
@@ -48,87 +56,36 @@ ALTER TABLE new_night RENAME TO night;
 PRAGMA user_version = 2;
 )";
 
-[[noreturn]] void fail(const std::string& path, sqlite3* database) {
-  const int code = database == nullptr ? SQLITE_NOMEM : sqlite3_errcode(database);
-  const std::string what = database == nullptr ? "out of memory" : sqlite3_errmsg(database);
-  const bool locked = code == SQLITE_BUSY || code == SQLITE_LOCKED;
-  throw InputError(path + ": " + what +
+[[noreturn]] void fail(const std::string& path, const SQLite::Exception& error) {
+  const bool locked = error.getErrorCode() == SQLITE_BUSY || error.getErrorCode() == SQLITE_LOCKED;
+  throw InputError(path + ": " + error.what() +
                    (locked ? "; another program keeps it locked: try again when it has ended" : ""));
 }
 
-/// A prepared statement; parameters are bound in order, columns read in order.
-class Statement {
- public:
-  Statement(const std::string& path, sqlite3* database, const char* sql) : path_(path), database_(database) {
-    if (sqlite3_prepare_v2(database, sql, -1, &statement_, nullptr) != SQLITE_OK) fail(path_, database_);
+// Returns what `step` returns; what SQLite reports becomes an InputError that names the file.
+template <class Step>
+auto naming_the_file(const std::string& path, const Step& step) {
+  try {
+    return step();
+  } catch (const SQLite::Exception& error) {
+    fail(path, error);
   }
-  ~Statement() { sqlite3_finalize(statement_); }
-  Statement(const Statement&) = delete;
-  Statement& operator=(const Statement&) = delete;
-
-  template <class... Values>
-  Statement& bind(const Values&... values) {
-    sqlite3_reset(statement_);
-    int place = 0;
-    (bind_at(++place, values), ...);
-    return *this;
-  }
-
-  /// True while there is a row.
-  bool step() {
-    const int code = sqlite3_step(statement_);
-    if (code != SQLITE_ROW && code != SQLITE_DONE) fail(path_, database_);
-    return code == SQLITE_ROW;
-  }
-
-  [[nodiscard]] std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
-  [[nodiscard]] double number(int column) const { return sqlite3_column_double(statement_, column); }
-  [[nodiscard]] std::string text(int column) const {
-    const unsigned char* text = sqlite3_column_text(statement_, column);
-    return text == nullptr ? "" : std::string(text, text + sqlite3_column_bytes(statement_, column));
-  }
-
- private:
-  void bind_at(int place, const std::string& value) {
-    check(sqlite3_bind_text(statement_, place, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
-  }
-  void bind_at(int place, double value) { check(sqlite3_bind_double(statement_, place, value)); }
-  void bind_at(int place, std::int64_t value) { check(sqlite3_bind_int64(statement_, place, value)); }
-  void check(int code) {
-    if (code != SQLITE_OK) fail(path_, database_);
-  }
-
-  const std::string& path_;
-  sqlite3* database_;
-  sqlite3_stmt* statement_ = nullptr;
-};
-
-void execute(const std::string& path, sqlite3* database, const char* sql) {
-  if (sqlite3_exec(database, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail(path, database);
 }
 
-/// Rolled back unless committed. One that writes takes the write lock at once, so that what it reads stays true.
-class Transaction {
- public:
-  Transaction(const std::string& path, sqlite3* database, const char* begin) : path_(path), database_(database) {
-    execute(path_, database_, begin);
-  }
-  ~Transaction() {
-    if (!committed_) sqlite3_exec(database_, "ROLLBACK", nullptr, nullptr, nullptr);
-  }
-  Transaction(const Transaction&) = delete;
-  Transaction& operator=(const Transaction&) = delete;
+// Binds the parameters in order and executes the statement; true if there is a row.
+template <class... Values>
+bool start(SQLite::Statement& statement, const Values&... values) {
+  statement.reset();
+  SQLite::bind(statement, values...);
+  return statement.executeStep();
+}
 
-  void commit() {
-    execute(path_, database_, "COMMIT");
-    committed_ = true;
-  }
-
- private:
-  const std::string& path_;
-  sqlite3* database_;
-  bool committed_ = false;
-};
+// The same for a statement of one use that changes rows.
+template <class... Values>
+void execute(SQLite::Database& database, const char* sql, const Values&... values) {
+  SQLite::Statement statement(database, sql);
+  start(statement, values...);
+}
 
 std::int64_t signed_seed(std::uint64_t seed) { return static_cast<std::int64_t>(seed); }
 
@@ -146,20 +103,18 @@ constexpr const char* kValuesOfNight =
     "SELECT algorithm, params, generator, generator_params, n, seed, threads, measure, value, runs "
     "FROM value JOIN cell ON cell.id = value.cell WHERE night = ?";
 
-std::vector<NightlyValue> values_of_nightly_run(const std::string& path, sqlite3* database, std::int64_t nightly_run) {
-  Statement rows(path, database, kValuesOfNight);
-  rows.bind(nightly_run);
+std::vector<NightlyValue> values_of_nightly_run(SQLite::Database& database, std::int64_t nightly_run) {
+  SQLite::Statement rows(database, kValuesOfNight);
+  rows.bind(1, nightly_run);
   std::vector<NightlyValue> values;
-  while (rows.step()) {
-    const std::string algorithm = present_name(rows.text(0));
-    const TrackedCell cell{algorithm,
-                           present_params(algorithm, rows.text(1)),
-                           rows.text(2),
-                           rows.text(3),
-                           static_cast<Index>(rows.integer(4)),
-                           static_cast<std::uint64_t>(rows.integer(5)),
-                           static_cast<int>(rows.integer(6))};
-    values.push_back({cell, rows.text(7), rows.number(8), static_cast<std::size_t>(rows.integer(9))});
+  while (rows.executeStep()) {
+    const std::string algorithm = present_name(rows.getColumn(0));
+    const TrackedCell cell{algorithm,         present_params(algorithm, rows.getColumn(1)),
+                           rows.getColumn(2), rows.getColumn(3),
+                           rows.getColumn(4), static_cast<std::uint64_t>(rows.getColumn(5).getInt64()),
+                           rows.getColumn(6)};
+    values.push_back(
+        {cell, rows.getColumn(7), rows.getColumn(8), static_cast<std::size_t>(rows.getColumn(9).getInt64())});
   }
   return sorted(std::move(values));
 }
@@ -172,32 +127,30 @@ bool same_values(const std::vector<NightlyValue>& a, const std::vector<NightlyVa
 
 class NightlyRunWriter {
  public:
-  NightlyRunWriter(const std::string& path, sqlite3* database)
-      : add_cell_(path, database, "INSERT OR IGNORE INTO cell VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)"),
-        find_cell_(path, database,
+  explicit NightlyRunWriter(SQLite::Database& database)
+      : add_cell_(database, "INSERT OR IGNORE INTO cell VALUES (NULL, ?, ?, ?, ?, ?, ?, ?)"),
+        find_cell_(database,
                    "SELECT id FROM cell WHERE algorithm = ? AND params = ? AND generator = ? AND generator_params = ? "
                    "AND n = ? AND seed = ? AND threads = ?"),
-        add_value_(path, database, "INSERT INTO value VALUES (?, ?, ?, ?, ?)") {}
+        add_value_(database, "INSERT INTO value VALUES (?, ?, ?, ?, ?)") {}
 
   void write(std::int64_t nightly_run, const NightlyValue& value) {
-    add_value_.bind(nightly_run, id_of(value.cell), value.measure, value.value, static_cast<std::int64_t>(value.runs))
-        .step();
+    start(add_value_, nightly_run, id_of(value.cell), value.measure, value.value,
+          static_cast<std::int64_t>(value.runs));
   }
 
  private:
   std::int64_t id_of(const TrackedCell& cell) {
-    const auto bind = [&](Statement& statement) -> Statement& {
-      return statement.bind(cell.algorithm, cell.params, cell.generator, cell.generator_params, std::int64_t{cell.n},
-                            signed_seed(cell.seed), std::int64_t{cell.threads});
-    };
-    bind(add_cell_).step();
-    bind(find_cell_).step();
-    return find_cell_.integer(0);
+    for (SQLite::Statement* statement : {&add_cell_, &find_cell_}) {
+      start(*statement, cell.algorithm, cell.params, cell.generator, cell.generator_params, cell.n,
+            signed_seed(cell.seed), cell.threads);
+    }
+    return find_cell_.getColumn(0);
   }
 
-  Statement add_cell_;
-  Statement find_cell_;
-  Statement add_value_;
+  SQLite::Statement add_cell_;
+  SQLite::Statement find_cell_;
+  SQLite::Statement add_value_;
 };
 
 }  // namespace
@@ -205,117 +158,111 @@ class NightlyRunWriter {
 History::History(std::string path, Mode mode) : path_(std::move(path)) {
   if (mode == Mode::read && !std::filesystem::exists(path_))
     throw InputError(path_ + ": there is no history here; mwt track FOLDER begins one");
-  // Even a reader may have to roll back what a killed writer left.
-  const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::write ? SQLITE_OPEN_CREATE : 0);
-  const int code = sqlite3_open_v2(path_.c_str(), &database_, flags, nullptr);
-  try {
-    if (code != SQLITE_OK) fail(path_, database_);
-    sqlite3_busy_timeout(database_, kPatienceMs);
-    execute(path_, database_, "PRAGMA synchronous = FULL");
-    if (mode == Mode::write) make_tables();
-    if (version() == 1) renew();
-    execute(path_, database_, "PRAGMA foreign_keys = ON");  // not before: tables are replaced
-    if (version() != kHistoryVersion)
-      throw InputError(path_ + ": is no history of this program's version; choose another file with --history");
-  } catch (...) {
-    sqlite3_close(database_);
-    throw;
-  }
+  naming_the_file(path_, [&] { open(mode); });
 }
 
-History::~History() { sqlite3_close(database_); }
+History::~History() = default;
+
+void History::open(Mode mode) {
+  // Even a reader may have to roll back what a killed writer left.
+  const int flags = SQLite::OPEN_READWRITE | (mode == Mode::write ? SQLite::OPEN_CREATE : 0);
+  database_ = std::make_unique<SQLite::Database>(path_, flags, kPatienceMs);
+  database_->exec("PRAGMA synchronous = FULL");
+  if (mode == Mode::write) make_tables();
+  if (version() == 1) renew();
+  database_->exec("PRAGMA foreign_keys = ON");  // not before: tables are replaced
+  if (version() != kHistoryVersion)
+    throw InputError(path_ + ": is no history of this program's version; choose another file with --history");
+}
 
 void History::make_tables() {
-  Transaction transaction(path_, database_, "BEGIN IMMEDIATE");
-  Statement anything(path_, database_, "SELECT count(*) FROM sqlite_schema");
-  anything.step();
-  if (anything.integer(0) == 0) {
-    execute(path_, database_, kTables);
-    execute(path_, database_, ("PRAGMA user_version = " + std::to_string(kHistoryVersion)).c_str());
+  SQLite::Transaction transaction(*database_, kWriting);
+  if (database_->execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0) {
+    database_->exec(kTables);
+    database_->exec(fmt::format("PRAGMA user_version = {}", kHistoryVersion));
   }
   transaction.commit();
 }
 
-int History::version() const {
-  Statement version(path_, database_, "PRAGMA user_version");
-  version.step();
-  return static_cast<int>(version.integer(0));
-}
+int History::version() const { return database_->execAndGet("PRAGMA user_version"); }
 
 // Another process may have done it meanwhile.
 void History::renew() {
-  Transaction transaction(path_, database_, "BEGIN IMMEDIATE");
-  if (version() == 1) execute(path_, database_, kFromVersion1);
+  SQLite::Transaction transaction(*database_, kWriting);
+  if (version() == 1) database_->exec(kFromVersion1);
   transaction.commit();
 }
 
 // With its values a nightly run that was tracked before there were configurations gets its own.
 bool History::adopt_old_nightly_run(const NightlyRun& nightly_run, const std::vector<NightlyValue>& values) {
-  Statement find(path_, database_,
-                 "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ''");
+  SQLite::Statement find(
+      *database_, "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ''");
   if (nightly_run.configuration.empty() ||
-      !find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study).step())
+      !start(find, nightly_run.git_commit, nightly_run.environment, nightly_run.study))
     return false;
-  if (!same_values(values_of_nightly_run(path_, database_, find.integer(0)), values)) return false;
-  Statement(path_, database_, "UPDATE night SET configuration = ? WHERE id = ?")
-      .bind(nightly_run.configuration, find.integer(0))
-      .step();
+  const std::int64_t id = find.getColumn(0);
+  if (!same_values(values_of_nightly_run(*database_, id), values)) return false;
+  execute(*database_, "UPDATE night SET configuration = ? WHERE id = ?", nightly_run.configuration, id);
   return true;
 }
 
 bool History::has_other_configuration(const NightlyRun& nightly_run) const {
-  Statement find(path_, database_,
-                 "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration <> ?");
-  return find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration)
-      .step();
+  SQLite::Statement find(
+      *database_, "SELECT id FROM night WHERE git_commit = ? AND environment = ? AND study = ? AND configuration <> ?");
+  return start(find, nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration);
 }
 
 void History::write_values(std::int64_t id, const std::vector<NightlyValue>& values) {
-  Statement(path_, database_, "DELETE FROM value WHERE night = ?").bind(id).step();
-  NightlyRunWriter writer(path_, database_);
+  execute(*database_, "DELETE FROM value WHERE night = ?", id);
+  NightlyRunWriter writer(*database_);
   for (const NightlyValue& value : values) writer.write(id, value);
 }
 
 History::Added History::add(const NightlyRun& nightly_run) {
-  Transaction transaction(path_, database_, "BEGIN IMMEDIATE");
+  return naming_the_file(path_, [&] {
+    SQLite::Transaction transaction(*database_, kWriting);
+    const Added added = add_in_transaction(nightly_run);
+    transaction.commit();
+    return added;
+  });
+}
+
+History::Added History::add_in_transaction(const NightlyRun& nightly_run) {
   const std::vector<NightlyValue> values = sorted(nightly_run.values);
-  Statement find(path_, database_,
-                 "SELECT id, recorded_at FROM night "
-                 "WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ?");
-  Added added = Added::replaced;
-  if (find.bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration).step()) {
-    const std::int64_t earlier = find.integer(0);
-    if (same_values(values_of_nightly_run(path_, database_, earlier), values)) return Added::unchanged;
-    if (nightly_run.recorded_at < find.text(1)) return Added::outdated;
-    Statement(path_, database_, "UPDATE night SET recorded_at = ? WHERE id = ?")
-        .bind(nightly_run.recorded_at, earlier)
-        .step();
+  SQLite::Statement find(*database_,
+                         "SELECT id, recorded_at FROM night "
+                         "WHERE git_commit = ? AND environment = ? AND study = ? AND configuration = ?");
+  if (start(find, nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration)) {
+    const std::int64_t earlier = find.getColumn(0);
+    if (same_values(values_of_nightly_run(*database_, earlier), values)) return Added::unchanged;
+    if (nightly_run.recorded_at < find.getColumn(1).getString()) return Added::outdated;
+    execute(*database_, "UPDATE night SET recorded_at = ? WHERE id = ?", nightly_run.recorded_at, earlier);
     write_values(earlier, values);
-  } else if (adopt_old_nightly_run(nightly_run, values)) {
-    added = Added::unchanged;
-  } else {
-    added = has_other_configuration(nightly_run) ? Added::as_another : Added::as_new;
-    Statement(path_, database_, "INSERT INTO night VALUES (NULL, ?, ?, ?, ?, ?, ?)")
-        .bind(nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration,
-              nightly_run.machine, nightly_run.recorded_at)
-        .step();
-    write_values(sqlite3_last_insert_rowid(database_), values);
+    return Added::replaced;
   }
-  transaction.commit();
+  if (adopt_old_nightly_run(nightly_run, values)) return Added::unchanged;
+  const Added added = has_other_configuration(nightly_run) ? Added::as_another : Added::as_new;
+  execute(*database_, "INSERT INTO night VALUES (NULL, ?, ?, ?, ?, ?, ?)", nightly_run.git_commit,
+          nightly_run.environment, nightly_run.study, nightly_run.configuration, nightly_run.machine,
+          nightly_run.recorded_at);
+  write_values(database_->getLastInsertRowid(), values);
   return added;
 }
 
 std::vector<NightlyRun> History::nightly_runs() const {
-  const Transaction snapshot(path_, database_, "BEGIN");
-  Statement rows(path_, database_,
-                 "SELECT id, git_commit, environment, machine, study, configuration, recorded_at FROM night "
-                 "ORDER BY recorded_at, git_commit, configuration");
-  std::vector<NightlyRun> nightly_runs;
-  while (rows.step()) {
-    nightly_runs.push_back({rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.text(5), rows.text(6),
-                            values_of_nightly_run(path_, database_, rows.integer(0))});
-  }
-  return nightly_runs;
+  return naming_the_file(path_, [&] {
+    const SQLite::Transaction snapshot(*database_);
+    SQLite::Statement rows(*database_,
+                           "SELECT id, git_commit, environment, machine, study, configuration, recorded_at FROM night "
+                           "ORDER BY recorded_at, git_commit, configuration");
+    std::vector<NightlyRun> nightly_runs;
+    while (rows.executeStep()) {
+      nightly_runs.push_back({rows.getColumn(1), rows.getColumn(2), rows.getColumn(3), rows.getColumn(4),
+                              rows.getColumn(5), rows.getColumn(6),
+                              values_of_nightly_run(*database_, rows.getColumn(0))});
+    }
+    return nightly_runs;
+  });
 }
 
 }  // namespace mwt

@@ -1,4 +1,4 @@
-// The history: an SQLite file with all nightly runs that were tracked. The only door to SQLite.
+// The history: an SQLite file with all nightly runs that were tracked.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,9 @@
 
 #include "harness/tracking/history/nightly_run.h"
 
-struct sqlite3;
+namespace SQLite {
+class Database;
+}
 
 namespace mwt {
 
@@ -16,7 +18,8 @@ namespace mwt {
 /// opened.
 ///
 /// A nightly run is added in one transaction: whatever kills the program leaves all of it or nothing (SQLite's rollback
-/// journal, synchronous = FULL). Any number of processes may use one history; who finds it locked waits up to 30 s.
+/// journal, synchronous = FULL). Any number of processes may use one history; one that finds it locked waits up to 30
+/// s.
 ///
 /// Throws InputError "FILE: what": it cannot be opened or written, is no history, is of a newer schema version, or
 /// stays locked.
@@ -41,15 +44,17 @@ class History {
   [[nodiscard]] std::vector<NightlyRun> nightly_runs() const;
 
  private:
+  void open(Mode mode);
   void make_tables();
   void renew();
   [[nodiscard]] int version() const;
+  Added add_in_transaction(const NightlyRun& nightly_run);
   [[nodiscard]] bool adopt_old_nightly_run(const NightlyRun& nightly_run, const std::vector<NightlyValue>& values);
   [[nodiscard]] bool has_other_configuration(const NightlyRun& nightly_run) const;
   void write_values(std::int64_t id, const std::vector<NightlyValue>& values);
 
   std::string path_;
-  sqlite3* database_ = nullptr;
+  std::unique_ptr<SQLite::Database> database_;
 };
 
 }  // namespace mwt

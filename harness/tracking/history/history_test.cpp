@@ -1,7 +1,7 @@
 #include "harness/tracking/history/history.h"
 
+#include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -118,10 +118,7 @@ TEST_F(HistoryFile, OldNamesBecomeThePresentOnes) {
 }
 
 TEST_F(HistoryFile, OneOfVersion1IsReadAndGoesOn) {
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(path().c_str(), &database), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(database, kVersion1, nullptr, nullptr, nullptr), SQLITE_OK);
-  sqlite3_close(database);
+  SQLite::Database(path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(kVersion1);
   EXPECT_EQ(History(path(), History::Mode::read).nightly_runs().size(), 2u);
   NightlyRun same{"a", "env", "Abacus", "nightly", "c", "2026-01-01", {}};
   same.values.push_back({{"greedy", "", "uniform", "", 100, 1, 1}, "wall_time_s", 0.5, 3});
@@ -181,12 +178,31 @@ TEST_F(HistoryFile, AKilledWriterLeavesWholeNights) {
   EXPECT_EQ(History(path(), History::Mode::write).add(small_nightly_run(5000)), History::Added::as_new);
 }
 
+std::string complaint_about(const std::string& path, History::Mode mode) {
+  try {
+    const History history(path, mode);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST_F(HistoryFile, RefusesWhatIsNoHistory) {
-  EXPECT_THROW(History(path(), History::Mode::read), InputError);
-  EXPECT_THROW(History("/no/such/folder/h.sqlite", History::Mode::write), InputError);
-  write_text(folder_.path("text"), std::string(5000, 'x'));
-  EXPECT_THROW(History(folder_.path("text"), History::Mode::write), InputError);
-  EXPECT_EQ(testing::read_text(folder_.path("text")), std::string(5000, 'x'));
+  EXPECT_EQ(complaint_about(path(), History::Mode::read),
+            path() + ": there is no history here; mwt track FOLDER begins one");
+  EXPECT_EQ(complaint_about("/no/such/folder/h.sqlite", History::Mode::write),
+            "/no/such/folder/h.sqlite: unable to open database file");
+  const std::string text = folder_.path("text");
+  write_text(text, std::string(5000, 'x'));
+  EXPECT_EQ(complaint_about(text, History::Mode::write), text + ": file is not a database");
+  EXPECT_EQ(testing::read_text(text), std::string(5000, 'x'));
+}
+
+TEST_F(HistoryFile, RefusesAnotherVersion) {
+  SQLite::Database(path(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
+      .exec("PRAGMA user_version = 3; CREATE TABLE t (x)");
+  EXPECT_EQ(complaint_about(path(), History::Mode::read),
+            path() + ": is no history of this program's version; choose another file with --history");
 }
 
 }  // namespace

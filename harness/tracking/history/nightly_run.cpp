@@ -1,5 +1,7 @@
 #include "harness/tracking/history/nightly_run.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -33,7 +35,7 @@ NightlyRunKey key_of(const ResultSet& results, const RunRecord& run) {
   const EnvironmentRecord environment = results.environment_of(run);
   const std::string machine = machine_of(environment);
   const std::string name = machine.empty() ? "unknown" : machine;
-  return {run.git_commit, short_hash(name + '\n' + std::to_string(environment.jobs)), name, run.study,
+  return {run.git_commit, short_hash(fmt::format("{}\n{}", name, environment.jobs)), name, run.study,
           configuration_of(results, run)};
 }
 

@@ -22,7 +22,7 @@ struct NightlyRun {
   std::string environment;  ///< fingerprint: hash of `machine` and of the number of jobs side by side
   std::string machine;
   std::string study;
-  std::string configuration;  ///< fingerprint of the study's file, and of the program if `git_commit` does not tell it
+  std::string configuration;  ///< fingerprint of the study's file, and of the program if `git_commit` leaves it open
   std::string recorded_at;    ///< when its last run had ended
   std::vector<NightlyValue> values;
 };
@@ -30,8 +30,8 @@ struct NightlyRun {
 /// The nightly runs of a folder, usually one: its runs by commit, environment, study and configuration, ordered by
 /// time. Runs without an environment count as those of an unknown machine.
 ///
-/// A commit does not tell the program where the sources differed from it ("-dirty") or where there was no git
-/// ("unknown"). The configuration is empty for a folder without a study file whose commits tell the program.
+/// A commit does not identify the program where the sources differed from it ("-dirty") or where there was no git
+/// ("unknown"). The configuration is empty for a folder without a study file whose commits identify the program.
 [[nodiscard]] std::vector<NightlyRun> nightly_runs_of(const ResultSet& results);
 
 }  // namespace mwt

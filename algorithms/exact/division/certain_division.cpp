@@ -1,0 +1,61 @@
+#include "algorithms/exact/division/certain_division.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "algorithms/exact/division/beta_skeleton.h"
+#include "algorithms/exact/division/crossing_candidates.h"
+#include "algorithms/exact/division/disjoint_sets.h"
+#include "algorithms/exact/search_stopped.h"
+
+namespace mwt {
+
+namespace {
+
+// With these marks, a < b, ascending.
+std::vector<Edge> edges_marked(const CandidateGraph& graph, std::uint8_t certain) {
+  std::vector<Edge> edges;
+  for (Index v = 0; v < graph.points.size(); ++v) {
+    for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
+      if (v < graph.target[h] && graph.certain[h] == certain) edges.push_back({v, graph.target[h]});
+    }
+  }
+  return edges;
+}
+
+std::vector<Edge> difference(const std::vector<Edge>& all, std::vector<Edge> without) {
+  std::sort(without.begin(), without.end());
+  std::vector<Edge> rest;
+  std::set_difference(all.begin(), all.end(), without.begin(), without.end(), std::back_inserter(rest));
+  return rest;
+}
+
+}  // namespace
+
+bool is_connected(const CandidateGraph& graph) {
+  DisjointSets components(graph.points.size());
+  std::size_t count = graph.points.size();
+  for (Index v = 0; v < graph.points.size(); ++v) {
+    for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
+      const Index w = graph.target[h];
+      if (w < v || graph.certain[h] == 0 || components.find(v) == components.find(w)) continue;
+      components.unite(v, w);
+      --count;
+    }
+  }
+  return count == 1;
+}
+
+std::size_t delete_what_crosses_beta_skeleton(const CandidateGraph& graph, const HullEdges& hull, StarTable& stars,
+                                              const Context& context) {
+  const std::vector<Edge> dividing = difference(beta_skeleton(graph.points), edges_marked(graph, 1));
+  const CandidateGraph division = make_candidate_graph(graph.points, dividing, dividing);
+  const auto crossing = find_crossing_candidates(division, edges_marked(graph, 0), context.deadline);
+  if (!crossing) throw SearchStopped(StopReason::deadline, "the deadline passed while dividing by the beta-skeleton");
+  std::vector<CandidatePair> pairs;
+  for (const Edge& edge : *crossing) pairs.push_back({edge.a, edge.b});
+  delete_edges(stars, graph.points, hull, pairs, context);
+  return pairs.size();
+}
+
+}  // namespace mwt
