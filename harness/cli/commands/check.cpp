@@ -2,7 +2,7 @@
 #include <memory>
 
 #include "geometry/point_set.h"
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/io/given_triangulation.h"
 #include "harness/io/input_file.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <sstream>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/io/output_file.h"
 

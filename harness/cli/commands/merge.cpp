@@ -1,7 +1,7 @@
 #include <iostream>
 #include <memory>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/study/merge.h"
 
 namespace mwt {

@@ -1,4 +1,4 @@
-// The claims, each defined in the file named beside it.
+// The claims with their rules, each defined in the file of this folder named beside it.
 #pragma once
 
 #include "harness/claims/claim.h"

@@ -1,4 +1,5 @@
-// All commands of `mwt`, one file each. To add one: its file, its declaration here and its line in mwt_main.cpp.
+// All commands of `mwt`, one file of this folder each. To add one: its file, its declaration here and its line in
+// mwt_main.cpp.
 #pragma once
 
 #include "harness/cli/command_line.h"

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/io/points/point_file.h"
 #include "harness/run/catalogue.h"
 

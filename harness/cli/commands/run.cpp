@@ -5,7 +5,7 @@
 #include <iostream>
 #include <memory>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/rating/optimum_cache.h"
 #include "harness/records/known_optima.h"
 #include "harness/records/results_folder.h"

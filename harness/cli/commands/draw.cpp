@@ -6,7 +6,7 @@
 #include "geometry/convex_hull.h"
 #include "geometry/point_set.h"
 #include "geometry/weight.h"
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/io/given_triangulation.h"
 #include "harness/io/input_file.h"

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/hunt/hunt.h"
 #include "harness/io/output_file.h"
 #include "harness/io/text/text.h"

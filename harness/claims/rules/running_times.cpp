@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"
 

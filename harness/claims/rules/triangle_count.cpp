@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 #include "harness/claims/selection.h"
 
 namespace mwt::claims {

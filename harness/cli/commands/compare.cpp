@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/io/output_file.h"
 #include "harness/run/catalogue.h"
 #include "harness/tracking/comparison/comparison.h"

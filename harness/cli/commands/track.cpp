@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "base/error.h"
-#include "harness/cli/commands.h"
-#include "harness/cli/history_option.h"
+#include "harness/cli/commands/commands.h"
+#include "harness/cli/commands/history_option.h"
 #include "harness/tracking/history/history.h"
 #include "harness/tracking/result_set.h"
 

@@ -1,5 +1,5 @@
 // C14: a theorem, which no measurement decides.
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 
 namespace mwt::claims {
 

@@ -1,6 +1,6 @@
 // C5: greedy's worst case.
 #include <fmt/core.h>
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/cli/json_output.h"
 #include "harness/cli/solve_output.h"

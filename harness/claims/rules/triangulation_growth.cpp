@@ -1,8 +1,8 @@
 // C15: whether 4^n bounds the number of triangulations.
 #include <fmt/core.h>
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 
-#include "harness/claims/triangulation_numbers.h"
+#include "harness/claims/rules/triangulation_numbers.h"
 #include "harness/io/text/text.h"
 
 namespace mwt::claims {

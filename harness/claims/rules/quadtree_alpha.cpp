@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"
 #include "harness/statistics/quantile.h"

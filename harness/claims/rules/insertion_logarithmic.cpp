@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"
 

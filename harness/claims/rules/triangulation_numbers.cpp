@@ -1,5 +1,5 @@
 // C11: the number of triangulations.
-#include "harness/claims/triangulation_numbers.h"
+#include "harness/claims/rules/triangulation_numbers.h"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/number_text.h"
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 #include "harness/io/text/text.h"
 
 namespace mwt {

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "base/error.h"
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
+#include "harness/cli/commands/history_option.h"
 #include "harness/cli/file_options.h"
-#include "harness/cli/history_option.h"
 #include "harness/io/output_file.h"
 #include "harness/tracking/history/changes.h"
 #include "harness/tracking/history/history.h"

@@ -1,4 +1,4 @@
-#include "harness/cli/history_option.h"
+#include "harness/cli/commands/history_option.h"
 
 #include <filesystem>
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/cli/json_output.h"
 #include "harness/io/terminal.h"
 #include "harness/io/text/aligned_table.h"
