@@ -61,9 +61,7 @@ class ExactSolver {
   // Nearly all pairs of points of two facing chains are candidates, but programs over the chains need none of them.
   [[nodiscard]] bool is_corridor() const {
     constexpr std::size_t kMinCorridor = 1000;
-    if (points_.size() < kMinCorridor) return false;
-    const std::optional<ChainPair> pair = find_chain_pair(points_);
-    return pair && std::uint64_t{pair->first.size()} * pair->second.size() <= kMaxCorridorEdges;
+    return points_.size() >= kMinCorridor && find_chain_pair(points_, context_.deadline);
   }
 
   Solution corridor_solution() {
@@ -71,7 +69,7 @@ class ExactSolver {
     Solution solution = two_chains_entry().function(points_, context_);
     counters_ = std::move(solution.counters);
     if (solution.optimum->relative_width() > kProvedRelativeWidth && !solution.stop_reason)
-      solution.stop_reason = StopReason::size;
+      solution.stop_reason = StopReason::precision;
     return solution;
   }
 
