@@ -35,6 +35,9 @@ require_order "" base geometry generators algorithms harness
 mapfile -t algorithms < <(code_of algorithms)
 forbid '#include "generators/' 'algorithms and generators do not include each other' "${algorithms[@]}"
 require_order harness/ io statistics run rating records study claims report tracking hunt benchmark cli
+# Only the registries include the rooms of the single claims and commands.
+mapfile -t others < <(code_of harness | grep -vE '^harness/(claims/(claims.cpp|rules/)|cli/(mwt_main.cpp|commands/))')
+forbid '#include "harness/(claims/rules|cli/commands)/' 'claims/claims.cpp and cli/mwt_main.cpp alone list claims and commands' "${others[@]}"
 mapfile -t headers < <(find "${layers[@]}" -name '*.h')
 forbid '#include <(CGAL|Eigen|CLI|fmt|nlohmann|toml|boost/math|benchmark|glpk|sqlite3|SQLiteCpp)' 'heavy headers belong in few .cpp files' "${headers[@]}"
 forbid_loose=$(find harness -maxdepth 1 -type f)
