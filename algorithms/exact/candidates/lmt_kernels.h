@@ -44,6 +44,10 @@ LmtCounters delete_edges_without_certificate(StarTable& table, Points points, co
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,
                                                      std::span<const CandidatePair> edges, const Context& context);
 
+/// The same for edges between stars of up to Star::kMaxExaminedAtLast, not kMaxExamined.
+LmtCounters delete_more_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
+                                                  std::span<const CandidatePair> edges, const Context& context);
+
 /// Deletes `edges` from the stars, and then every edge that was examined before and has no certificate any more.
 LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
                          const Context& context);
