@@ -9,7 +9,7 @@
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
 #include "geometry/predicates.h"
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {
@@ -223,7 +223,7 @@ TEST(Checker, RejectsAnEdgeThroughAnInnerPoint) {
 }
 
 TEST(Checker, RejectsAHole) {
-  const std::vector<Point> points = test::lattice_points(6, 6);
+  const std::vector<Point> points = test::full_lattice(6, 6);
   Triangulation triangulation = delaunay_triangulation(points);
   std::erase_if(triangulation.triangles, [](const Triangle& t) { return std::ranges::count(t, Index{14}) > 0; });
   EXPECT_TRUE(is_rejected(points, triangulation, {Rule::boundary_is_hull}));
@@ -312,7 +312,7 @@ bool is_triangulation_by_definition(const std::vector<Point>& points, const std:
 
 // All sets of up to five triangles over two rows of three points; C(4, 2) = 6 of them are triangulations.
 TEST(Checker, AgreesWithTheDefinitionOnAllSetsOfTriangles) {
-  const std::vector<Point> points = test::lattice_points(3, 2);
+  const std::vector<Point> points = test::full_lattice(3, 2);
   std::vector<Triangle> all;
   for (Index a = 0; a < 6; ++a) {
     for (Index b = a + 1; b < 6; ++b) {

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "geometry/predicates.h"
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {
@@ -71,7 +71,7 @@ TEST(ConvexHull, BothAgreeWithEachOtherAndWithCgalOnSmallLattices) {
   std::mt19937_64 random(11);
   for (int trial = 0; trial < 3000; ++trial) {
     const auto side = static_cast<int>(2 + random() % 4);
-    std::vector<Point> points = test::shuffled(test::lattice_points(side, side), random());
+    std::vector<Point> points = test::shuffled(test::full_lattice(side, side), random());
     points.resize(std::min<std::size_t>(points.size(), 3 + random() % 10));
     if (all_collinear(points)) continue;
     SCOPED_TRACE("trial " + std::to_string(trial));
@@ -83,9 +83,9 @@ TEST(ConvexHull, KnownHulls) {
   const std::vector<Point> square{{1, 1}, {0, 0}, {2, 2}, {2, 0}, {0, 2}, {1, 0}, {0, 1}, {2, 1}, {1, 2}};
   EXPECT_EQ(convex_hull(square), (std::vector<Index>{1, 5, 3, 7, 2, 8, 4, 6}));
   EXPECT_EQ(convex_hull(test::circle_points(50)).size(), 50U);
-  EXPECT_EQ(convex_hull(test::row_points(2, 20)).size(), 40U);
+  EXPECT_EQ(convex_hull(test::parallel_rows(2, 20)).size(), 40U);
   EXPECT_EQ(convex_hull(test::triangle_with_points_on_sides(9)).size(), 30U);
-  EXPECT_EQ(convex_hull(test::lattice_points(30, 7)).size(), 70U);
+  EXPECT_EQ(convex_hull(test::full_lattice(30, 7)).size(), 70U);
 }
 
 TEST(ConvexHull, CollinearPointsComeInOrder) {

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "geometry/checker.h"
 #include "geometry/predicates.h"
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {
@@ -72,7 +72,7 @@ TEST(ConstrainedDelaunay, WithoutConstraintsIsDelaunay) {
 }
 
 TEST(ConstrainedDelaunay, CrossingConstraintsAreALogicError) {
-  const std::vector<Point> square = test::lattice_points(2, 2);
+  const std::vector<Point> square = test::full_lattice(2, 2);
   const std::vector<Edge> diagonals{{0, 3}, {1, 2}};
   EXPECT_THROW(static_cast<void>(constrained_delaunay_triangulation(square, diagonals)), std::logic_error);
 }

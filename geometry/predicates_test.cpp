@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {
@@ -299,7 +299,7 @@ bool cross_by_definition(const Point& a, const Point& b, const Point& c, const P
 }
 
 TEST(Predicates, SegmentsCrossOnAllSmallLatticeSegments) {
-  const std::vector<Point> lattice = test::lattice_points(3, 4);
+  const std::vector<Point> lattice = test::full_lattice(3, 4);
   for (const Point& a : lattice) {
     for (const Point& b : lattice) {
       if (a == b) continue;

@@ -8,7 +8,7 @@
 
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 #include "geometry/triangle_sides.h"
 
 namespace mwt {

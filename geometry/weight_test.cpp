@@ -9,7 +9,7 @@
 
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {
@@ -44,7 +44,7 @@ Triangulation lattice_triangulation(Index columns, Index rows) {
 TEST(Weight, OfThreeMillionEdgesIsNarrowAndHoldsTheTrueValue) {
   constexpr Index kSide = 1001;
   const Triangulation triangulation = lattice_triangulation(kSide, kSide);
-  const std::vector<Point> points = test::lattice_points(kSide, kSide);
+  const std::vector<Point> points = test::full_lattice(kSide, kSide);
   const Interval sum = weight(points, triangulation);
   expect_enclosed(sum, Real(2 * 1000 * 1001) + Real(1000000) * sqrt(Real(2)));
   EXPECT_LE(sum.relative_width(), 1e-13);

@@ -6,7 +6,7 @@
 #include "algorithms/flip/flip.h"
 #include "base/error.h"
 #include "geometry/checker.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
+#include "geometry/testing/shapes.h"
 #include "geometry/weight.h"
 
 namespace mwt {

@@ -9,7 +9,7 @@
 #include "algorithms/common/testing/instances.h"
 #include "algorithms/patch/patch.h"
 #include "geometry/delaunay.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {

@@ -111,12 +111,21 @@ class ExactSolver {
     return graph;
   }
 
+  // Where points are left apart from others: faces with holes or isolated points cost more than looking for what ties
+  // them together.
   void divide(const HullEdges& hull_edges, LmtSkeleton& skeleton, CandidateGraph& graph) {
     report_stage("beta-skeleton", 0.85);
-    const ScopedPhase phase(context_, "beta_skeleton");
-    const std::size_t crossing = delete_what_crosses_beta_skeleton(graph, hull_edges, skeleton.stars, context_);
-    if (crossing > 0) graph = mark_certain_edges(order_.points, skeleton.stars, context_);
-    counters_["edges_across_beta_skeleton"] = static_cast<double>(crossing);
+    {
+      const ScopedPhase phase(context_, "beta_skeleton");
+      const std::size_t crossing = delete_what_crosses_beta_skeleton(graph, hull_edges, skeleton.stars, context_);
+      if (crossing > 0) graph = mark_certain_edges(order_.points, skeleton.stars, context_);
+      counters_["edges_across_beta_skeleton"] = static_cast<double>(crossing);
+      if (is_connected(graph)) return;
+    }
+    const ScopedPhase phase(context_, "lmt_again");
+    const std::uint64_t deleted = examine_between_large_stars(skeleton.stars, order_, hull_edges, context_);
+    if (deleted > 0) graph = mark_certain_edges(order_.points, skeleton.stars, context_);
+    counters_["edges_deleted_at_last"] = static_cast<double>(deleted);
   }
 
   LmtSkeleton skeleton_of(const HullEdges& hull_edges, CandidateBlocks blocks) {

@@ -10,7 +10,7 @@
 
 #include "algorithms/common/start.h"
 #include "algorithms/flip/improving_flip.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "geometry/checker.h"
 #include "geometry/delaunay.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
+#include "geometry/testing/shapes.h"
 #include "geometry/weight.h"
 
 namespace mwt {

@@ -5,8 +5,8 @@
 #include "algorithms/registry.h"
 #include "base/error.h"
 #include "generators/registry.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/point_set.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 

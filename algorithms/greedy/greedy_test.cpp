@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "geometry/checker.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/predicates.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 

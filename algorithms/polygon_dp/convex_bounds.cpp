@@ -43,8 +43,12 @@ class Positions {
 
   /// Whether the longest intervals of a band reach around half the polygon from any of its vertices.
   [[nodiscard]] bool is_top(std::size_t longest) const {
-    return period_ <= kMaxTop && period_ / 2 + 4 <= std::min(longest, period_ - 1);
+    return period_ <= kMaxTop && half() <= std::min(longest, period_ - 1);
   }
+
+  /// Blocks of vertices that are at most half a polygon apart are so many positions apart at most, blocks on the border
+  /// and the short last one of a period included.
+  [[nodiscard]] std::size_t half() const { return period_ / 2 + 4; }
 
  private:
   [[nodiscard]] std::size_t step() const { return std::size_t{1} << level_; }
@@ -89,17 +93,16 @@ struct Triple {
   std::size_t third = 0;
 };
 
-// The best i < j < k < period.
+// The best i < j < k < period with no interval longer than about half of the period.
 Triple best_triple(const Level& level) {
-  const std::size_t period = level.period();
+  const std::size_t period = level.period(), half = level.positions().half();
   std::vector<Triple> best(period);
   tbb::parallel_for(std::size_t{0}, period, [&](std::size_t i) {
-    std::vector<TileCost> back(period, kNoCost);
-    for (std::size_t k = i + 2; k < period; ++k) back[k] = level.cost(k, i + period);
-    for (std::size_t j = i + 1; j < period && level.band().covers(i, j); ++j) {
+    for (std::size_t j = i + 1; j <= std::min(i + half, period - 1); ++j) {
       const TileCost to_second = level.band().cost(i, j);
-      for (std::size_t k = j + 1; k < period && level.band().covers(j, k); ++k) {
-        const TileCost sum = to_second + level.band().cost(j, k) + back[k];
+      const std::size_t first = std::max(j + 1, i + period - std::min(half, period));
+      for (std::size_t k = first; k <= std::min(j + half, period - 1); ++k) {
+        const TileCost sum = to_second + level.band().cost(j, k) + level.band().cost(k, i + period);
         if (sum < best[i].cost) best[i] = {sum, i, j, k};
       }
     }
@@ -295,9 +298,10 @@ class LowerProgram {
   [[nodiscard]] TileCost least_total(const Level& finest) const {
     const Level& level = level_ ? *level_ : finest;
     TileCost least = best_triple(level).cost;
-    for (std::size_t u = 0; level_ && u < level.period(); ++u) {
-      for (std::size_t w = u + 1; w < u + level.period(); ++w) {
-        const TileCost out = level.cost(u, w), back = level.cost(w, u + level.period());
+    const std::size_t period = level.period(), half = level.positions().half();
+    for (std::size_t u = 0; level_ && u < period; ++u) {
+      for (std::size_t w = u + period - half; w <= u + half; ++w) {
+        const TileCost out = level.cost(u, w), back = level.cost(w, u + period);
         if (out < kNoCost && back < kNoCost) least = std::min(least, out + back - blocks_[u].growth);
       }
     }

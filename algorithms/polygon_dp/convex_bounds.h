@@ -19,8 +19,9 @@ struct ConvexBounds {
 
 /// Two programs over intervals, coarser and coarser: level 0 has all intervals up to `longest` vertices long, level l
 /// those up to 2^l times as long, but only between every 2^l-th vertex or block of 2^l vertices. At the last level the
-/// intervals reach around half the polygon, and the best three of them around it are the result: every triangulation
-/// has a triangle that leaves at most half of the vertices on each of its sides.
+/// intervals reach around half the polygon, and the best three of them around it, none longer than that, are the
+/// result: every triangulation has a triangle that leaves at most half of the vertices on each of its sides. (Longer
+/// intervals would do as well, but where they wrap around, blocks are near each other and F below is loose.)
 ///
 /// **From above**, an interval of level l is split at every 2^l-th vertex only; what level l - 1 has is taken from
 /// there. On a circle this is within .02% of the optimum with longest = 256.
@@ -38,7 +39,9 @@ struct ConvexBounds {
 /// outside both: what it costs is at least the first two terms. Each of the s splits passed costs a chord, and the
 /// intervals cut off within U and V have costs of at least 0, so differences of at least -p(U) - p(V) in total. The sum
 /// is as stated for s >= 1, and without the last term for s = 0.
-/// The bound misses the optimum by about 30 % / (longest / 128) on circles.
+/// If two corners of the last triangle lie in one block U, what lies between them costs at least -p(U) likewise.
+/// On circles of about 8,000 vertices the bound misses the optimum by .5% with longest = 128, by .2% with 256 and by
+/// .06% with 512; on random points of a circle by 2.3% with 128.
 ///
 /// About 1.5 n longest^2 sums, 24 n longest bytes and more. Integers throughout, so that no rounding is involved beyond
 /// that of lengths. Nothing if the deadline passes first. Deterministic; runs on the threads of the enclosing arena.

@@ -20,7 +20,7 @@ struct ConvexPolygonSolution {
 ///
 /// Of up to kSmallPolygon vertices that of triangulate_polygon(), in next to no time. Of more it is optimal to within
 /// 1e-13 (ConvexProgram: n^3 / 6 sums, 4 n^2 bytes), unless the deadline or the memory of `context` does not allow
-/// that. Then the lightest of what heuristics and coarser programs find, and a lower bound that misses by .3% or so
+/// that. Then the lightest of what heuristics and coarser programs find, and a lower bound, within 1% on circles
 /// (ConvexBounds: time and space linear in n). With a deadline the latter come first, so that more time never gives a
 /// worse result.
 ///

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "geometry/checker.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/predicates.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 

@@ -13,8 +13,8 @@
 #include "geometry/mesh/planar_mesh.h"
 #include "geometry/mesh/radix_sort.h"
 #include "geometry/mesh/spatial_order.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/predicates.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 

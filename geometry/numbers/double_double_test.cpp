@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "harness/claims/report_claims.h"
+#include "harness/claims/rules/rules.h"
 #include "harness/claims/selection.h"
 #include "harness/io/output_file.h"
 #include "harness/io/text/text.h"
@@ -86,7 +86,7 @@ std::string_view name_of(ClaimVerdict verdict) {
   return "undecided";
 }
 
-const std::vector<Claim>& claims_of_the_report() {
+const std::vector<Claim>& claims_of_the_source_report() {
   static const std::vector<Claim> all = {
       claims::greedy_example(),        claims::insertion_example(),
       claims::triangle_count(),        claims::greedy_alpha(),
@@ -102,7 +102,7 @@ const std::vector<Claim>& claims_of_the_report() {
 
 std::vector<JudgedClaim> judge_claims(const StudyRecords& records) {
   std::vector<JudgedClaim> judged;
-  for (const Claim& claim : claims_of_the_report()) judged.push_back({&claim, claim.judge(records)});
+  for (const Claim& claim : claims_of_the_source_report()) judged.push_back({&claim, claim.judge(records)});
   for (JudgedClaim& result : judged) {
     if (result.finding.verdict == ClaimVerdict::undecided) say_what_is_missing(result);
   }

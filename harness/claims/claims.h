@@ -8,9 +8,9 @@
 
 namespace mwt {
 
-/// The claims in the source report's order, one file of this folder for each or for those that share a rule. To add
-/// one: its function, its declaration in report_claims.h and its line in claims.cpp.
-[[nodiscard]] const std::vector<Claim>& claims_of_the_report();
+/// The claims in the source report's order, one file of rules/ for each or for those that share a rule. To add
+/// one: its function, its declaration in rules/rules.h and its line in claims.cpp.
+[[nodiscard]] const std::vector<Claim>& claims_of_the_source_report();
 
 struct JudgedClaim {
   const Claim* claim = nullptr;

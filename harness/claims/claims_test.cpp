@@ -20,7 +20,7 @@ using testing::wobble;
 constexpr std::array<Index, 5> kSizes = {50, 100, 1000, 10'000, 100'000};
 
 TEST(Claims, AreFifteenAndSayEverything) {
-  const std::vector<Claim>& claims = claims_of_the_report();
+  const std::vector<Claim>& claims = claims_of_the_source_report();
   ASSERT_EQ(claims.size(), 15U);
   for (std::size_t i = 0; i < claims.size(); ++i) {
     EXPECT_EQ(claims[i].id, "C" + std::to_string(i + 1));

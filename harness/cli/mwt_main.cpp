@@ -1,6 +1,6 @@
 #include <array>
 
-#include "harness/cli/commands.h"
+#include "harness/cli/commands/commands.h"
 #include "harness/io/standard_streams.h"
 
 int main(int argument_count, char** arguments) {

@@ -9,7 +9,7 @@
 #include "base/testing/test_folder.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {

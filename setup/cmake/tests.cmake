@@ -23,8 +23,8 @@ function(mwt_add_tests layer)
                        TEST_LIST ${layer}_slow_tests PROPERTIES LABELS slow TIMEOUT 3000)
 endfunction()
 
-# Point sets that the tests of two layers use.
-add_library(mwt_shapes_for_tests STATIC geometry/mesh/testing/shapes_for_tests.cpp)
+# Point sets that the tests of several layers use.
+add_library(mwt_shapes_for_tests STATIC geometry/testing/shapes.cpp)
 target_link_libraries(mwt_shapes_for_tests PUBLIC mwt_geometry)
 
 # CGAL: only as an opinion to compare hulls with.
@@ -35,7 +35,7 @@ mwt_add_tests(generators mwt_generators CGAL::CGAL)
 mwt_add_tests(algorithms mwt_algorithms mwt_generators mwt_shapes_for_tests)
 mwt_add_tests(verifier mwt_verifier Boost::headers MPFI::MPFI ZSTD::ZSTD OpenSSL::Crypto)
 # Boost, JSON and SQLite: to read results by other means than the harness's own.
-mwt_add_tests(harness mwt_harness Boost::headers nlohmann_json::nlohmann_json SQLiteCpp)
+mwt_add_tests(harness mwt_harness mwt_shapes_for_tests Boost::headers nlohmann_json::nlohmann_json SQLiteCpp)
 # The harness's tests also run the programs as their users do.
 if(TARGET harness_test)
   target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>"

@@ -15,6 +15,7 @@
 #include "algorithms/algorithm.h"
 #include "geometry/checker.h"
 #include "geometry/convex_hull.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt::test {
 
@@ -23,19 +24,9 @@ struct Instance {
   std::vector<Point> points;
 };
 
-/// In [0, 1); the same on every platform.
-inline double random_unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
-
 /// The worked example of the source report, sections 5.1.3 and 5.2.3: A .. J.
 inline std::vector<Point> report_example() {
   return {{0, 1}, {1, 1}, {-5, 0}, {-1, -1}, {-6, -3}, {-1, -5}, {2, -2}, {1, -3}, {3, -3}, {1, -6}};
-}
-
-inline std::vector<Point> uniform_points(std::size_t n, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::vector<Point> points(n);
-  for (Point& p : points) p = {random_unit(random), random_unit(random)};
-  return points;
 }
 
 /// n distinct points of a random order of the lattice with about 2n points: collinear triples and equal lengths.
@@ -84,15 +75,6 @@ inline std::vector<Point> parabola_points(std::size_t n) {
   return points;
 }
 
-inline std::vector<Point> circle_points(std::size_t n) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(n);
-    points.push_back({std::cos(angle), std::sin(angle)});
-  }
-  return points;
-}
-
 inline std::vector<Point> clustered_points(std::size_t n, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::vector<Point> points;
@@ -101,11 +83,6 @@ inline std::vector<Point> clustered_points(std::size_t n, std::uint64_t seed) {
     const double centre = i % 2 == 0 ? 0.25 : 0.75;
     points.push_back({centre + spread * random_unit(random), centre + spread * random_unit(random)});
   }
-  return points;
-}
-
-inline std::vector<Point> scaled(std::vector<Point> points, double x_factor, double y_factor) {
-  for (Point& p : points) p = {x_factor * p.x, y_factor * p.y};
   return points;
 }
 

@@ -205,8 +205,9 @@ struct VectorStars {
 template <class Stars>
 class Deletion {
  public:
-  Deletion(StarTable& table, Points points, const HullEdges& hull, std::vector<Edge>* deleted = nullptr)
-      : stars_(table.stars), points_(points), hull_(hull), deleted_(deleted) {}
+  Deletion(StarTable& table, Points points, const HullEdges& hull, std::vector<Edge>* deleted = nullptr,
+           std::uint32_t max_examined = Star::kMaxExamined)
+      : stars_(table.stars), points_(points), hull_(hull), deleted_(deleted), max_examined_(max_examined) {}
 
   LmtCounters run(std::span<const CandidatePair> edges, const Context& context) {
     constexpr std::size_t kEdgesPerDeadlineCheck = 256;
@@ -246,7 +247,7 @@ class Deletion {
     if (hull_.contains(p, q)) return;
     const bool p_is_smaller = stars_[p].count <= stars_[q].count;
     const Index s = p_is_smaller ? p : q, o = p_is_smaller ? q : p;
-    if (stars_[s].count > Star::kMaxExamined || stars_[o].count > Star::kMaxCount) return;
+    if (stars_[s].count > max_examined_ || stars_[o].count > Star::kMaxCount) return;
     const std::uint32_t at_s = Stars::position_of(stars_[s], o), at_o = Stars::position_of(stars_[o], s);
     if (at_s == kNotFound) return;  // deleted meanwhile
     const bool has_certificate =
@@ -333,7 +334,8 @@ class Deletion {
   std::vector<Star>& stars_;
   Points points_;
   const HullEdges& hull_;
-  std::vector<Edge>* deleted_;          // a log, or nullptr
+  std::vector<Edge>* deleted_;  // a log, or nullptr
+  std::uint32_t max_examined_;
   std::vector<CandidatePair> pending_;  // their certificates broke
   LmtCounters counters_;
   ExaminedEdge edge_;
@@ -351,6 +353,12 @@ LmtCounters DeleteEdgesWithoutCertificatePlainly(StarTable& table, Points points
   return Deletion<ScalarStars<MachineRounding>>(table, points, hull).run(edges, context);
 }
 
+LmtCounters DeleteMoreEdgesWithoutCertificate(StarTable& table, Points points, const HullEdges& hull,
+                                              std::span<const CandidatePair> edges, const Context& context,
+                                              std::vector<Edge>* deleted) {
+  return Deletion<VectorStars>(table, points, hull, deleted, Star::kMaxExaminedAtLast).run(edges, context);
+}
+
 LmtCounters DeleteEdges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
                         const Context& context, std::vector<Edge>* deleted) {
   return Deletion<VectorStars>(table, points, hull, deleted).run_without(edges, context);
@@ -365,12 +373,19 @@ namespace mwt {
 
 HWY_EXPORT(DeleteEdgesWithoutCertificate);
 HWY_EXPORT(DeleteEdges);
+HWY_EXPORT(DeleteMoreEdgesWithoutCertificate);
 HWY_EXPORT(DeleteEdgesWithoutCertificatePlainly);
 
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
                                              std::span<const CandidatePair> edges, const Context& context,
                                              std::vector<Edge>* deleted) {
   return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context, deleted);
+}
+
+LmtCounters delete_more_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
+                                                  std::span<const CandidatePair> edges, const Context& context,
+                                                  std::vector<Edge>* deleted) {
+  return HWY_DYNAMIC_DISPATCH(DeleteMoreEdgesWithoutCertificate)(table, points, hull, edges, context, deleted);
 }
 
 LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,

@@ -48,6 +48,12 @@ LmtCounters delete_edges_without_certificate(StarTable& table, Points points, co
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,
                                                      std::span<const CandidatePair> edges, const Context& context);
 
+/// The same as delete_edges_without_certificate() for edges between stars of up to Star::kMaxExaminedAtLast, not
+/// kMaxExamined.
+LmtCounters delete_more_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
+                                                  std::span<const CandidatePair> edges, const Context& context,
+                                                  std::vector<Edge>* deleted = nullptr);
+
 /// Deletes `edges` from the stars, and then every edge that was examined before and has no certificate any more; the
 /// latter are appended to `deleted`, if there is one, in their order. Each of them has none without all of `edges`.
 LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,

@@ -183,4 +183,24 @@ LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, Candi
   return skeleton;
 }
 
+std::uint64_t examine_between_large_stars(StarTable& table, const KdOrder& order, const HullEdges& hull,
+                                          const Context& context) {
+  const std::vector<Star>& stars = table.stars;
+  std::vector<CandidatePair> edges;
+  for (Index v = 0; v < stars.size(); ++v) {
+    if (stars[v].count <= Star::kMaxExamined) continue;
+    for (const Index w : stars[v].targets()) {
+      if (v < w && stars[w].count > Star::kMaxExamined) edges.push_back({v, w});
+    }
+  }
+  const auto sorted = longest_first(order.points, distance_scale(order), edges);
+  std::vector<Edge> deleted;
+  const LmtCounters counters =
+      delete_more_edges_without_certificate(table, order.points, hull, sorted, context, &deleted);
+  if (context.proof != nullptr)
+    context.proof->edges.push_back({EdgeReason::not_locally_minimal, std::move(deleted), {}});
+  if (context.deadline_passed()) throw SearchStopped(StopReason::deadline, "the deadline passed during the LMT stage");
+  return counters.deleted;
+}
+
 }  // namespace mwt

@@ -22,4 +22,10 @@ struct LmtSkeleton {
 [[nodiscard]] LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, CandidateBlocks blocks,
                                             const Context& context);
 
+/// Goes on with the edges between two stars of more than Star::kMaxExamined edges, longest first: up to cubic time, for
+/// inputs whose other edges do not divide. Returns how many edges it has deleted. One thread.
+/// Throws SearchStopped (search_stopped.h) after the context's deadline.
+std::uint64_t examine_between_large_stars(StarTable& table, const KdOrder& order, const HullEdges& hull,
+                                          const Context& context);
+
 }  // namespace mwt

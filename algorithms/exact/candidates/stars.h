@@ -22,7 +22,9 @@ struct Star {
   static constexpr std::uint32_t kMaxCount = 60000;
   /// So are edges between two stars larger than this: where long chains face each other nearly every edge has a
   /// certificate, and looking for them all takes cubic time.
-  static constexpr std::uint32_t kMaxExamined = 512;
+  static constexpr std::uint32_t kMaxExamined = 128;
+  /// If points are left apart from others, edges are examined unless both stars are larger than this.
+  static constexpr std::uint32_t kMaxExaminedAtLast = 512;
 
   /// A component of a vector: the difference of two coordinates times the scale (distance_scale() in near_points.h), as
   /// a float. Exact zeros stay; what is smaller than kMinComponent otherwise is not a number: no comparison with

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/predicates.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 

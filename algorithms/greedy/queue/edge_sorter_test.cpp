@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "geometry/mesh/testing/shapes_for_tests.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 

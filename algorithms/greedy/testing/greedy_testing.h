@@ -14,8 +14,8 @@
 #include "generators/registry.h"
 #include "geometry/mesh/constraint_insertion.h"
 #include "geometry/mesh/in_circle.h"
-#include "geometry/mesh/testing/shapes_for_tests.h"
 #include "geometry/point_set.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt::test {
 

@@ -50,7 +50,7 @@ class MadeUpRecords {
 };
 
 inline const Claim& claim(const std::string& id) {
-  for (const Claim& claim : claims_of_the_report()) {
+  for (const Claim& claim : claims_of_the_source_report()) {
     if (claim.id == id) return claim;
   }
   throw std::out_of_range(id);

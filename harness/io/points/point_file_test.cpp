@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/testing/test_folder.h"
-#include "geometry/testing/test_shapes.h"
+#include "geometry/testing/shapes.h"
 
 namespace mwt {
 namespace {

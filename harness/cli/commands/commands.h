@@ -1,0 +1,22 @@
+// All commands of `mwt`, one file of this folder each. To add one: its file, its declaration here and its line in
+// mwt_main.cpp.
+#pragma once
+
+#include "harness/cli/command_line.h"
+
+namespace mwt {
+
+[[nodiscard]] Command list_command();
+[[nodiscard]] Command generate_command();
+[[nodiscard]] Command solve_command();
+[[nodiscard]] Command check_command();
+[[nodiscard]] Command draw_command();
+[[nodiscard]] Command run_command();
+[[nodiscard]] Command merge_command();
+[[nodiscard]] Command report_command();
+[[nodiscard]] Command hunt_command();
+[[nodiscard]] Command compare_command();
+[[nodiscard]] Command track_command();
+[[nodiscard]] Command history_command();
+
+}  // namespace mwt
