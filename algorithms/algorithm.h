@@ -21,6 +21,8 @@
 
 namespace mwt {
 
+struct ProofTrace;  // algorithms/proof_trace.h
+
 /// The algorithm does not take this instance (too many points, not in convex position, ...). Not a failure: the
 /// message states what it takes.
 class NotApplicable : public std::runtime_error {
@@ -46,6 +48,7 @@ class Context {
   Parameters parameters;                      ///< complete: every declared parameter has a value
   Deadline deadline;                          ///< soft: return the best valid triangulation found by then
   std::optional<std::uint64_t> memory_bytes;  ///< soft: no larger tables than that; none: as much as it takes
+  ProofTrace* proof = nullptr;                ///< optional: where a solver notes its conclusions for mwt_verify
   std::optional<Triangulation> start;         ///< a given triangulation to start from, already checked
   std::function<void(const std::string& stage, double done)> progress;  ///< optional; done in [0, 1]
   std::vector<std::pair<std::string, double>> phases;                   ///< seconds per named phase, in order
@@ -101,6 +104,7 @@ struct AlgorithmInfo {
   Index max_n = 0;                    ///< largest sensible n: studies go no further; 0: no limit
   int version = 1;                    ///< raised whenever a change may alter results: keys cached optima
   bool convex_position_only = false;  ///< NotApplicable unless all points lie on the hull's boundary
+  bool has_proofs = false;            ///< fills the proof that the context asks for
   std::vector<ParameterInfo> parameters;
   AlgorithmFunction function = nullptr;
 };

@@ -1,6 +1,7 @@
 #include "algorithms/registry.h"
 
 #include "algorithms/annealing/annealing.h"
+#include "algorithms/boolean_model/boolean_model.h"
 #include "algorithms/brute_force/brute_force.h"
 #include "algorithms/delaunay/delaunay.h"
 #include "algorithms/exact/exact.h"
@@ -28,7 +29,7 @@ std::span<const AlgorithmInfo> algorithms() {
       delaunay_entry(),    sweep_entry(),       greedy_naive_entry(), greedy_entry(),      hull_insertion_entry(),
       flip_naive_entry(), flip_entry(),        patch_entry(),         annealing_entry(),   quadtree_entry(),
       polygon_dp_entry(),  brute_force_entry(), subset_dp_entry(),     triangle_lp_entry(), exact_entry(),
-      two_chains_entry(),
+      two_chains_entry(),  boolean_model_entry(),
   };
   // clang-format on
   return entries;

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers=(base geometry generators algorithms harness)
+layers=(base geometry generators algorithms verifier harness)
 mapfile -t sources < <(find "${layers[@]}" -name '*.h' -o -name '*.cpp' | sort)
 clang-format --dry-run --Werror "${sources[@]}"
 
@@ -12,6 +12,14 @@ forbid() {  # forbid PATTERN WHY FILE...
   local pattern=$1 why=$2
   shift 2
   if grep -nE "$pattern" "$@"; then
+    echo "style: $why" >&2
+    failed=yes
+  fi
+}
+forbid_others() {  # forbid_others PATTERN ALLOWED WHY FILE...: lines with the pattern that are none of those allowed
+  local pattern=$1 allowed=$2 why=$3
+  shift 3
+  if grep -nE "$pattern" "$@" | grep -vE "$allowed"; then
     echo "style: $why" >&2
     failed=yes
   fi
@@ -31,9 +39,13 @@ require_order() {  # require_order PREFIX NAME...
     forbid "#include \"$prefix($later)/" "$prefix$name/ includes only what is below it" "${files[@]}"
   done
 }
-require_order "" base geometry generators algorithms harness
+require_order "" base geometry generators algorithms verifier harness
 mapfile -t algorithms < <(code_of algorithms)
 forbid '#include "generators/' 'algorithms and generators do not include each other' "${algorithms[@]}"
+mapfile -t verifier < <(find verifier -name '*.h' -o -name '*.cpp')
+forbid '#include "(generators|algorithms|harness)/' 'the verifier shares no code with solvers, not even in its tests' "${verifier[@]}"
+forbid_others '#include "(base|geometry)/' '#include "(geometry/point|base/error|base/testing/test_folder)\.h"' \
+  'of base/ and geometry/ the verifier includes points, errors and the folder of tests' "${verifier[@]}"
 require_order harness/ io statistics run rating records study claims report tracking hunt benchmark cli
 # Only the registries include the rooms of the single claims and commands.
 mapfile -t others < <(code_of harness | grep -vE '^harness/(claims/(claims.cpp|rules/)|cli/(mwt_main.cpp|commands/))')

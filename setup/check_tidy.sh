@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.."
 if [ $# -gt 0 ]; then
   sources=("$@")
 else
-  mapfile -t sources < <(find base geometry generators algorithms harness -name '*.cpp' ! -name '*_test.cpp' ! -path '*/testing/*' ! -name '*_kernels.cpp' | sort)
+  mapfile -t sources < <(find base geometry generators algorithms verifier harness -name '*.cpp' ! -name '*_test.cpp' ! -path '*/testing/*' ! -name '*_kernels.cpp' | sort)
 fi
 # The preset that compiles each source by itself; no build is needed.
 cmake --preset sanitize >/dev/null

@@ -1,9 +1,19 @@
 #include "algorithms/common/solve_scaled.h"
 
+#include "algorithms/proof_trace.h"
 #include "geometry/numbers/scaling.h"
 #include "geometry/weight.h"
 
 namespace mwt {
+
+namespace {
+
+void scale_up(ProofTrace& proof, int e) {
+  for (DualRegion& region : proof.regions) region.unit_exponent += e;
+  proof.lower_bound = scaled_up({proof.lower_bound, proof.lower_bound}, e).lower;
+}
+
+}  // namespace
 
 Solution solve_scaled(Points points, Context& context, AlgorithmFunction solve) {
   const int e = exact_scale(points);
@@ -12,6 +22,7 @@ Solution solve_scaled(Points points, Context& context, AlgorithmFunction solve) 
   if (solution.optimum) {
     solution.optimum = {scaled_up(*solution.optimum, e).lower, weight(points, solution.triangulation).upper};
   }
+  if (context.proof != nullptr) scale_up(*context.proof, e);
   return solution;
 }
 

@@ -16,11 +16,14 @@
 #include "algorithms/exact/candidates/kd_order.h"
 #include "algorithms/exact/candidates/lmt_skeleton.h"
 #include "algorithms/exact/division/certain_division.h"
+#include "algorithms/exact/face_proof.h"
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
+#include "algorithms/proof/convex_proof.h"
+#include "algorithms/proof_trace.h"
 #include "algorithms/two_chains/two_chains.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/interval.h"
@@ -47,9 +50,10 @@ class ExactSolver {
     try {
       std::optional<CandidateGraph> graph = candidates();
       if (!graph) return convex_polygon_.empty() ? corridor_solution() : convex_solution();
-      const ScopedPhase phase(context_, "faces");
-      const FaceSolution faces = solve_faces(*std::move(graph), context_);
-      count(faces);
+      std::optional<CandidateGraph> noted;
+      if (context_.proof != nullptr) noted = graph;
+      const FaceSolution faces = solve(*std::move(graph));
+      if (noted) note_proof(*std::move(noted), faces);
       return make_solution(faces);
     } catch (const SearchStopped& stopped) {
       return without_triangulation(stopped.reason, stopped.lower_bound);
@@ -66,6 +70,7 @@ class ExactSolver {
 
   Solution corridor_solution() {
     report_stage("corridor", 0);
+    if (context_.proof != nullptr) *context_.proof = {};
     Solution solution = two_chains_entry().function(points_, context_);
     counters_ = std::move(solution.counters);
     if (solution.optimum->relative_width() > kProvedRelativeWidth && !solution.stop_reason)
@@ -79,6 +84,7 @@ class ExactSolver {
     {
       const ScopedPhase phase(context_, "kd_order");
       order_ = make_kd_order(points_);
+      if (context_.proof != nullptr) context_.proof->order = order_.original;
     }
     report_stage("diamond test", 0.05);
     HullEdges hull_edges;
@@ -159,6 +165,30 @@ class ExactSolver {
     counters_[name] = static_cast<double>(edges);
   }
 
+  FaceSolution solve(CandidateGraph graph) {
+    const ScopedPhase phase(context_, "faces");
+    FaceSolution faces = solve_faces(std::move(graph), context_);
+    count(faces);
+    return faces;
+  }
+
+  // A proof for which there is too little memory is no reason to lose the solution.
+  void note_proof(CandidateGraph graph, const FaceSolution& faces) {
+    const ScopedPhase phase(context_, "proof");
+    try {
+      note_faces(std::move(graph), faces.triangles, context_);
+    } catch (const std::bad_alloc&) {
+      note_simple_bound(simple_lower_bound(points_));
+    }
+  }
+
+  void note_simple_bound(double bound) {
+    if (context_.proof == nullptr) return;
+    *context_.proof = ProofTrace();
+    context_.proof->lower_bound = bound;
+    context_.proof->is_complete = true;
+  }
+
   void count(const FaceSolution& faces) {
     counters_["faces"] = static_cast<double>(faces.faces);
     counters_["max_face"] = static_cast<double>(faces.max_face);
@@ -192,13 +222,16 @@ class ExactSolver {
     solution.triangulation = {static_cast<Index>(points_.size()), std::move(polygon.triangles)};
     solution.optimum = {polygon.weight_of_optimum.lower, weight(points_, solution.triangulation).upper};
     solution.stop_reason = polygon.stop_reason;
+    if (context_.proof != nullptr) note_convex_polygon(points_, convex_polygon_, solution.stop_reason, context_);
     return solution;
   }
 
   Solution without_triangulation(StopReason reason, double lower_bound) {
     order_ = {};
     Solution solution;
-    solution.optimum = {std::max(simple_lower_bound(points_), lower_bound), std::numeric_limits<double>::infinity()};
+    const double simple_bound = simple_lower_bound(points_);
+    note_simple_bound(simple_bound);
+    solution.optimum = {std::max(simple_bound, lower_bound), std::numeric_limits<double>::infinity()};
     solution.stop_reason = reason;
     return solution;
   }
@@ -234,6 +267,7 @@ AlgorithmInfo exact_entry() {
   info.time = "about O(n log n) on random input; exponential in the worst case (NP-hard)";
   info.space = "about 400 bytes per point";
   info.exactness = Exactness::exact;
+  info.has_proofs = true;
   info.max_n = 10'000'000;
   info.version = 3;
   info.function = exact;

@@ -10,6 +10,7 @@
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
+#include "algorithms/proof/convex_proof.h"
 #include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
@@ -186,6 +187,7 @@ Solution solve(Points points, Context& context) {
     solution.triangulation = {static_cast<Index>(points.size()), std::move(result.triangles)};
     solution.stop_reason = result.stop_reason;
     if (by_edges) solution.optimum = {result.weight_of_optimum.lower, weight(points, solution.triangulation).upper};
+    if (by_edges && context.proof != nullptr) note_convex_polygon(points, hull, solution.stop_reason, context);
   }
   if (solution.stop_reason) improve_by_heuristics(points, context, solution);
   return solution;
@@ -216,6 +218,7 @@ AlgorithmInfo polygon_dp_entry() {
   info.time = "O(n^3)";
   info.space = "O(n^2)";
   info.exactness = Exactness::exact;
+  info.has_proofs = true;
   info.max_n = 20'000;
   info.version = 3;
   info.convex_position_only = true;

@@ -171,6 +171,7 @@ bool CoverProgram::add_violated_columns(std::vector<PricedColumn> violated) {
 
 double CoverProgram::solve(double enough, int max_rounds) {
   double best = std::max(0.0, price(model_, duals_).lower);  // all there is if the deadline is near
+  best_duals_ = duals_;
   double best_gap = std::numeric_limits<double>::infinity();
   int rounds_without_gain = 0;
   double scale = 1;
@@ -178,6 +179,7 @@ double CoverProgram::solve(double enough, int max_rounds) {
   pricing_ = {};
   for (int round = 0; round < max_rounds && optimise(method, scale); ++round) {
     pricing_ = price(model_, duals_);
+    if (pricing_.lower > best) best_duals_ = duals_;
     best = std::max(best, pricing_.lower);
     const double value = primal_value();
     const double gap = value - pricing_.lower;

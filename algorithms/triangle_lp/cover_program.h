@@ -45,6 +45,9 @@ class CoverProgram {
   /// an edge changes most.
   [[nodiscard]] std::optional<std::uint32_t> fractional_edge() const;
 
+  /// The dual values behind the largest bound of the last solve().
+  [[nodiscard]] const CoverDuals& best_duals() const { return best_duals_; }
+
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
  private:
@@ -66,6 +69,7 @@ class CoverProgram {
   Deadline deadline_;
   LinearProgram program_;
   CoverDuals duals_;
+  CoverDuals best_duals_;
   CoverPricing pricing_;
   double empty_cover_cost_;
   std::vector<std::uint32_t> active_;    // the candidate of each program column after the empty cover

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -10,10 +11,12 @@
 #include "algorithms/common/lightest_heuristic.h"
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
+#include "algorithms/proof/cover_duals.h"
 #include "algorithms/triangle_lp/empty_triangles.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
+#include "geometry/undirected_edges.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -25,6 +28,39 @@ std::vector<Edge> hull_boundary(Points points) {
   std::vector<Edge> boundary;
   for (std::size_t i = 0; i < hull.size(); ++i) boundary.push_back({hull[i], hull[(i + 1) % hull.size()]});
   return boundary;
+}
+
+// The hull is certain, and everything else one region.
+void note_proof(Points points, const std::vector<Edge>& boundary, std::span<const Triangle> triangles,
+                const std::vector<Triangle>& cover, Context& context) {
+  const ScopedPhase phase(context, "proof");
+  DualRegion region;
+  std::vector<bool> is_on_hull(points.size(), false);
+  for (const Edge& edge : boundary) {
+    region.places.push_back(edge.a);
+    is_on_hull[edge.a] = true;
+  }
+  region.walk_sizes = {static_cast<std::uint32_t>(boundary.size())};
+  for (Index v = 0; v < points.size(); ++v) {
+    if (!is_on_hull[v]) region.places.push_back(v);
+  }
+  std::vector<std::uint32_t> place(points.size());
+  for (std::uint32_t i = 0; i < region.places.size(); ++i) place[region.places[i]] = i;
+  std::vector<Edge> sides;
+  for (const Triangle& triangle : triangles) {
+    for (int i = 0; i < 3; ++i) sides.push_back(directed_edge(triangle, i));
+  }
+  std::vector<Edge> on_hull = undirected_edges(boundary);
+  for (const Edge& edge : undirected_edges(std::move(sides))) {
+    if (std::binary_search(on_hull.begin(), on_hull.end(), edge)) continue;
+    region.open_edges.push_back({std::min(place[edge.a], place[edge.b]), std::max(place[edge.a], place[edge.b])});
+  }
+  std::sort(region.open_edges.begin(), region.open_edges.end());
+  add_cover_duals(region, {points, triangles, boundary, cover.size(), context.deadline, cover});
+  ProofTrace& trace = *context.proof;
+  trace.lower_bound = next_down(cycle_length(points, convex_hull(points)).lower + region.lower_bound);
+  trace.regions.push_back(std::move(region));
+  trace.is_complete = true;
 }
 
 // For triangles, columns and what is kept by side of them.
@@ -48,11 +84,15 @@ Solution cover_hull(Points points, Context& context) {
     solution.triangulation = start;
     solution.optimum = {cycle_length(points, convex_hull(points)).lower, weight(points, start).upper};
     solution.stop_reason = context.deadline_passed() ? StopReason::deadline : StopReason::memory;
+    if (context.proof != nullptr) *context.proof = {{}, {}, {}, solution.optimum->lower, true};
     return solution;
   }
-  const ScopedPhase phase(context, "program");
-  TriangleCover cover = lightest_triangle_cover(
-      {points, *triangles, boundary, start.triangles.size(), context.deadline, start.triangles});
+  TriangleCover cover = [&] {
+    const ScopedPhase phase(context, "program");
+    return lightest_triangle_cover(
+        {points, *triangles, boundary, start.triangles.size(), context.deadline, start.triangles});
+  }();
+  if (context.proof != nullptr) note_proof(points, boundary, *triangles, cover.triangles, context);
   solution.triangulation = {start.point_count, std::move(cover.triangles)};
   solution.optimum = cover.optimum;
   solution.stop_reason = cover.stop_reason;
@@ -90,6 +130,7 @@ AlgorithmInfo triangle_lp_entry() {
   info.time = "a few linear programs of O(n^2) rows; exponential in the worst case";
   info.space = "O(n^3), O(n^2) for uniform points";
   info.exactness = Exactness::exact;
+  info.has_proofs = true;
   info.max_n = 150;
   info.version = 2;
   info.parameters = {{"max_points", ParameterType::integer, "400", "largest number of points it takes"}};

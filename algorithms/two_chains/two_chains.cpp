@@ -8,8 +8,13 @@
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
+#include "algorithms/proof/convex_proof.h"
+#include "algorithms/proof/polygon_duals.h"
+#include "algorithms/proof_trace.h"
+#include "algorithms/two_chains/corridor_duals.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
+#include "geometry/predicates.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -81,6 +86,55 @@ std::uint64_t bytes_for_corridor(const ChainPair& pair) {
   return std::uint64_t{pair.first.size()} * pair.second.size() / 8 + sizeof(DoubleDouble) * pair.second.size();
 }
 
+// Notes what proves the optimum. Nothing crosses the chains' edges; between them lies the corridor, and each closes a
+// convex polygon.
+class TwoChainsProof {
+ public:
+  TwoChainsProof(Points points, const ChainPair& pair) : points_(points), pair_(pair) {
+    EdgeConclusions uncrossed{EdgeReason::uncrossed, {}, {}};
+    for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
+      for (std::size_t i = 1; i < chain->size(); ++i) {
+        uncrossed.edges.push_back(make_edge((*chain)[i - 1], (*chain)[i]));
+        certain_.add(points_[(*chain)[i - 1]], points_[(*chain)[i]]);
+      }
+      if (closes_polygon(*chain)) certain_.add(points_[chain->front()], points_[chain->back()]);
+    }
+    certain_.add(points_[pair.first.front()], points_[pair.second.back()]);
+    certain_.add(points_[pair.second.front()], points_[pair.first.back()]);
+    trace_.edges.push_back(std::move(uncrossed));
+  }
+
+  // Those parts that are not too large.
+  void add_regions() {
+    const Chains chains = chains_of(pair_);
+    for (const std::vector<Index>* chain : {&pair_.first, &pair_.second}) {
+      if (closes_polygon(*chain) && is_noted_polygon(chain->size()))
+        trace_.regions.push_back(PolygonDuals().solve(points_, *chain, diagonals_of_convex_polygon(points_, *chain)));
+    }
+    if (chains.p.size() * chains.q.size() <= kMaxNotedEdges)
+      trace_.regions.push_back(corridor_duals(points_, chains.p, chains.q));
+  }
+
+  ProofTrace take() {
+    trace_.lower_bound = certain_.enclosure().lower;
+    for (const DualRegion& region : trace_.regions)
+      trace_.lower_bound = next_down(trace_.lower_bound + region.lower_bound);
+    trace_.is_complete = true;
+    return std::move(trace_);
+  }
+
+ private:
+  // A chain of two points closes none, nor does one along a side of the hull.
+  [[nodiscard]] bool closes_polygon(const std::vector<Index>& chain) const {
+    return chain.size() > 2 && orientation(points_[chain[0]], points_[chain[1]], points_[chain.back()]) != 0;
+  }
+
+  Points points_;
+  const ChainPair& pair_;
+  LengthSum certain_;
+  ProofTrace trace_;
+};
+
 // What the programs find until the deadline: at least bounds.
 class TwoChainsSolver {
  public:
@@ -88,17 +142,18 @@ class TwoChainsSolver {
 
   Solution run() {
     const std::optional<ChainPair> pair = recognise();
-    if (!pair) return stopped(StopReason::deadline, cycle_length(points_, convex_hull(points_)).lower);
+    if (!pair) return unrecognised();
     solution_.counters = {{"first_chain", static_cast<double>(pair->first.size())},
                           {"second_chain", static_cast<double>(pair->second.size())}};
-    if (!context_.fits(bytes_for_corridor(*pair))) return stopped(StopReason::memory, certain_length(*pair));
+    if (!context_.fits(bytes_for_corridor(*pair))) return stopped(StopReason::memory, *pair);
     std::optional<Corridor> corridor = cross(*pair);
-    if (!corridor) return stopped(StopReason::deadline, certain_length(*pair));
+    if (!corridor) return stopped(StopReason::deadline, *pair);
     solution_.triangulation = {static_cast<Index>(points_.size()), std::move(corridor->triangles)};
     solution_.optimum = corridor->cross_edges;
     const ScopedPhase phase(context_, "polygons");
     for (const std::vector<Index>* chain : {&pair->first, &pair->second}) add(triangulated(points_, *chain, context_));
     solution_.optimum->upper = weight(points_, solution_.triangulation).upper;
+    note_proof(*pair);
     return std::move(solution_);
   }
 
@@ -136,10 +191,28 @@ class TwoChainsSolver {
     return (chains.enclosure() + bridges.enclosure()).lower;
   }
 
-  Solution stopped(StopReason reason, double lower_bound) {
+  Solution stopped(StopReason reason, const ChainPair& pair) {
     solution_.stop_reason = reason;
-    solution_.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
+    solution_.optimum = {certain_length(pair), std::numeric_limits<double>::infinity()};
+    note_proof(pair);
     return std::move(solution_);
+  }
+
+  Solution unrecognised() {
+    const double lower_bound = cycle_length(points_, convex_hull(points_)).lower;
+    solution_.stop_reason = StopReason::deadline;
+    solution_.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
+    if (context_.proof != nullptr) *context_.proof = {{}, {}, {}, lower_bound, true};
+    return std::move(solution_);
+  }
+
+  // Without dual values if something stopped the programs: there is no more time or memory for them.
+  void note_proof(const ChainPair& pair) {
+    if (context_.proof == nullptr) return;
+    const ScopedPhase phase(context_, "proof");
+    TwoChainsProof proof(points_, pair);
+    if (!solution_.stop_reason) proof.add_regions();
+    *context_.proof = proof.take();
   }
 
   Points points_;
@@ -179,7 +252,7 @@ AlgorithmInfo two_chains_entry() {
   info.time = "O(r^3 + s^3) for chains of r and s points";
   info.space = "O(r^2 + s^2)";
   info.exactness = Exactness::exact;
-  info.version = 2;
+  info.has_proofs = true;
   info.max_n = 200'000;
   info.version = 2;
   info.function = solve_at_any_size;

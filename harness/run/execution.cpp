@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "algorithms/proof_trace.h"
 #include "base/cpu_clock.h"
 #include "geometry/convex_hull.h"
 #include "harness/run/machine/available_memory.h"
@@ -24,6 +25,7 @@ Context make_context(const Request& request) {
   context.threads = request.threads;
   context.parameters = request.parameters;
   context.start = request.start;
+  context.proof = request.proof;
   context.progress = request.progress;
   context.memory_bytes = memory_for_tables();
   return context;
@@ -32,6 +34,7 @@ Context make_context(const Request& request) {
 // One execution in a context that may have served before: only its deadline and its phases are of one execution.
 Solution execute(const Request& request, Points points, Context& context) {
   context.phases.clear();
+  if (context.proof != nullptr) *context.proof = {};
   if (request.time_limit_s) {
     const std::chrono::duration<double> limit(*request.time_limit_s);
     context.deadline = Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(limit);

@@ -31,6 +31,7 @@ struct Request {
   int threads = 1;
   std::optional<double> time_limit_s;  ///< soft: becomes the algorithm's deadline, counted from its start
   std::optional<Triangulation> start;  ///< checked
+  ProofTrace* proof = nullptr;         ///< optional: filled by solvers that can prove what they return
   std::function<void(const std::string& stage, double done)> progress;
 };
 

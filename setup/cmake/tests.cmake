@@ -33,13 +33,15 @@ mwt_add_tests(geometry mwt_geometry mwt_shapes_for_tests CGAL::CGAL)
 mwt_add_tests(generators mwt_generators CGAL::CGAL)
 # Algorithms and generators do not include each other; only their tests do.
 mwt_add_tests(algorithms mwt_algorithms mwt_generators mwt_shapes_for_tests)
+mwt_add_tests(verifier mwt_verifier Boost::headers MPFI::MPFI ZSTD::ZSTD OpenSSL::Crypto)
 # Boost, JSON and SQLite: to read results by other means than the harness's own.
 mwt_add_tests(harness mwt_harness mwt_shapes_for_tests Boost::headers nlohmann_json::nlohmann_json SQLiteCpp)
 # The harness's tests also run the programs as their users do.
 if(TARGET harness_test)
   target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>"
+                             MWT_VERIFY_EXECUTABLE="$<TARGET_FILE:mwt_verify>"
                              MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
-  add_dependencies(harness_test mwt mwt_benchmark)
+  add_dependencies(harness_test mwt mwt_verify mwt_benchmark)
 endif()
 # What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
 # Optimised builds only: sanitizers find nothing in Python.

@@ -205,8 +205,9 @@ struct VectorStars {
 template <class Stars>
 class Deletion {
  public:
-  Deletion(StarTable& table, Points points, const HullEdges& hull, std::uint32_t max_examined = Star::kMaxExamined)
-      : stars_(table.stars), points_(points), hull_(hull), max_examined_(max_examined) {}
+  Deletion(StarTable& table, Points points, const HullEdges& hull, std::vector<Edge>* deleted = nullptr,
+           std::uint32_t max_examined = Star::kMaxExamined)
+      : stars_(table.stars), points_(points), hull_(hull), deleted_(deleted), max_examined_(max_examined) {}
 
   LmtCounters run(std::span<const CandidatePair> edges, const Context& context) {
     constexpr std::size_t kEdgesPerDeadlineCheck = 256;
@@ -258,6 +259,7 @@ class Deletion {
       store_certificate(s, o, at_s, at_o, left, right);
     } else {
       ++counters_.deleted;
+      if (deleted_ != nullptr) deleted_->push_back(make_edge(p, q));
       remove(s, at_s);
       remove(o, at_o);
     }
@@ -332,6 +334,7 @@ class Deletion {
   std::vector<Star>& stars_;
   Points points_;
   const HullEdges& hull_;
+  std::vector<Edge>* deleted_;  // a log, or nullptr
   std::uint32_t max_examined_;
   std::vector<CandidatePair> pending_;  // their certificates broke
   LmtCounters counters_;
@@ -340,8 +343,9 @@ class Deletion {
 };
 
 LmtCounters DeleteEdgesWithoutCertificate(StarTable& table, Points points, const HullEdges& hull,
-                                          std::span<const CandidatePair> edges, const Context& context) {
-  return Deletion<VectorStars>(table, points, hull).run(edges, context);
+                                          std::span<const CandidatePair> edges, const Context& context,
+                                          std::vector<Edge>* deleted) {
+  return Deletion<VectorStars>(table, points, hull, deleted).run(edges, context);
 }
 
 LmtCounters DeleteEdgesWithoutCertificatePlainly(StarTable& table, Points points, const HullEdges& hull,
@@ -350,13 +354,14 @@ LmtCounters DeleteEdgesWithoutCertificatePlainly(StarTable& table, Points points
 }
 
 LmtCounters DeleteMoreEdgesWithoutCertificate(StarTable& table, Points points, const HullEdges& hull,
-                                              std::span<const CandidatePair> edges, const Context& context) {
-  return Deletion<VectorStars>(table, points, hull, Star::kMaxExaminedAtLast).run(edges, context);
+                                              std::span<const CandidatePair> edges, const Context& context,
+                                              std::vector<Edge>* deleted) {
+  return Deletion<VectorStars>(table, points, hull, deleted, Star::kMaxExaminedAtLast).run(edges, context);
 }
 
 LmtCounters DeleteEdges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
-                        const Context& context) {
-  return Deletion<VectorStars>(table, points, hull).run_without(edges, context);
+                        const Context& context, std::vector<Edge>* deleted) {
+  return Deletion<VectorStars>(table, points, hull, deleted).run_without(edges, context);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -372,18 +377,20 @@ HWY_EXPORT(DeleteMoreEdgesWithoutCertificate);
 HWY_EXPORT(DeleteEdgesWithoutCertificatePlainly);
 
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                             std::span<const CandidatePair> edges, const Context& context) {
-  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context);
+                                             std::span<const CandidatePair> edges, const Context& context,
+                                             std::vector<Edge>* deleted) {
+  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context, deleted);
 }
 
 LmtCounters delete_more_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                                  std::span<const CandidatePair> edges, const Context& context) {
-  return HWY_DYNAMIC_DISPATCH(DeleteMoreEdgesWithoutCertificate)(table, points, hull, edges, context);
+                                                  std::span<const CandidatePair> edges, const Context& context,
+                                                  std::vector<Edge>* deleted) {
+  return HWY_DYNAMIC_DISPATCH(DeleteMoreEdgesWithoutCertificate)(table, points, hull, edges, context, deleted);
 }
 
 LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
-                         const Context& context) {
-  return HWY_DYNAMIC_DISPATCH(DeleteEdges)(table, points, hull, edges, context);
+                         const Context& context, std::vector<Edge>* deleted) {
+  return HWY_DYNAMIC_DISPATCH(DeleteEdges)(table, points, hull, edges, context, deleted);
 }
 
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,

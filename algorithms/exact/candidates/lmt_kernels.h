@@ -9,9 +9,11 @@
 #include "algorithms/algorithm.h"
 #include "algorithms/exact/candidates/diamond_kernels.h"
 #include "algorithms/exact/candidates/stars.h"
+#include "geometry/triangulation.h"
 
 namespace mwt {
 
+/// What delete_edges_without_certificate() did.
 struct LmtCounters {
   std::uint64_t checks = 0;
   std::uint64_t deleted = 0;
@@ -36,20 +38,25 @@ struct HullEdges {
 /// change.
 ///
 /// All decisions are made in floats with error margins; what is uncertain, or not a number (Star::component), keeps the
-/// edge. After the context's deadline the remaining edges are kept unexamined.
+/// edge. After the context's deadline the remaining edges are kept unexamined. The edges deleted are appended to
+/// `deleted`, if there is one, in their order.
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                             std::span<const CandidatePair> edges, const Context& context);
+                                             std::span<const CandidatePair> edges, const Context& context,
+                                             std::vector<Edge>* deleted = nullptr);
 
 /// For tests: the same by the loops of lmt_scalar.h, with the rounding of the instruction set in use.
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,
                                                      std::span<const CandidatePair> edges, const Context& context);
 
-/// The same for edges between stars of up to Star::kMaxExaminedAtLast, not kMaxExamined.
+/// The same as delete_edges_without_certificate() for edges between stars of up to Star::kMaxExaminedAtLast, not
+/// kMaxExamined.
 LmtCounters delete_more_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                                  std::span<const CandidatePair> edges, const Context& context);
+                                                  std::span<const CandidatePair> edges, const Context& context,
+                                                  std::vector<Edge>* deleted = nullptr);
 
-/// Deletes `edges` from the stars, and then every edge that was examined before and has no certificate any more.
+/// Deletes `edges` from the stars, and then every edge that was examined before and has no certificate any more; the
+/// latter are appended to `deleted`, if there is one, in their order. Each of them has none without all of `edges`.
 LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
-                         const Context& context);
+                         const Context& context, std::vector<Edge>* deleted = nullptr);
 
 }  // namespace mwt

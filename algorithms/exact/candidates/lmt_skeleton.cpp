@@ -12,6 +12,7 @@
 #include "algorithms/common/rows.h"
 #include "algorithms/exact/candidates/near_points.h"
 #include "algorithms/exact/search_stopped.h"
+#include "algorithms/proof_trace.h"
 
 namespace mwt {
 
@@ -45,13 +46,15 @@ class LmtStage {
         context_(context),
         skeleton_(skeleton),
         scale_(distance_scale(order)),
-        incoming_(blocks.block_count()) {}
+        incoming_(blocks.block_count()),
+        deleted_(context.proof != nullptr ? 2 * std::size_t{blocks.first_block_node} : 0) {}
 
   void run() {
     skeleton_.stars.stars.resize(order_.points.size());
     skeleton_.stars.arenas.resize(blocks_.block_count());
     file_incoming();
     skeleton_.counters = descend(1).counters;
+    note_deletions();
   }
 
  private:
@@ -60,6 +63,19 @@ class LmtStage {
     std::vector<CandidatePair> leaving;
     LmtCounters counters;
   };
+
+  // Nodes of one level do not disturb each other, and those below a node come before it: higher numbers first.
+  void note_deletions() const {
+    if (context_.proof == nullptr) return;
+    EdgeConclusions conclusions{EdgeReason::not_locally_minimal, {}, {}};
+    conclusions.edges.reserve(skeleton_.counters.deleted);
+    for (std::size_t node = deleted_.size(); node-- > 1;) {
+      conclusions.edges.insert(conclusions.edges.end(), deleted_[node].begin(), deleted_[node].end());
+    }
+    context_.proof->edges.push_back(std::move(conclusions));
+  }
+
+  std::vector<Edge>* log_of(std::uint32_t node) { return deleted_.empty() ? nullptr : &deleted_[node]; }
 
   std::uint32_t block_of(Index p) const {
     // The inverse of KdOrder::first_of at the blocks' level, up to rounding.
@@ -86,8 +102,8 @@ class LmtStage {
     std::vector<CandidatePair> between;
     for (const CandidatePair& pair : low.leaving) (pair.q < end ? between : result.leaving).push_back(pair);
     result.leaving.insert(result.leaving.end(), high.leaving.begin(), high.leaving.end());
-    result.counters.add(delete_edges_without_certificate(skeleton_.stars, order_.points, hull_,
-                                                         longest_first(order_.points, scale_, between), context_));
+    result.counters.add(delete_edges_without_certificate(
+        skeleton_.stars, order_.points, hull_, longest_first(order_.points, scale_, between), context_, log_of(node)));
     return result;
   }
 
@@ -100,7 +116,8 @@ class LmtStage {
     const auto edges = longest_first(order_.points, scale_, blocks_.inner[block]);
     blocks_.inner[block] = {};
     incoming_[block] = {};
-    result.counters = delete_edges_without_certificate(skeleton_.stars, order_.points, hull_, edges, context_);
+    result.counters =
+        delete_edges_without_certificate(skeleton_.stars, order_.points, hull_, edges, context_, log_of(node));
     compact_stars(node, block);
     result.leaving = std::move(blocks_.outer[block]);
     return result;
@@ -154,6 +171,7 @@ class LmtStage {
   LmtSkeleton& skeleton_;
   double scale_;
   std::vector<std::vector<CandidatePair>> incoming_;  // edges from earlier blocks, by block
+  std::vector<std::vector<Edge>> deleted_;            // by node, if a proof is wanted
 };
 
 }  // namespace
@@ -176,7 +194,11 @@ std::uint64_t examine_between_large_stars(StarTable& table, const KdOrder& order
     }
   }
   const auto sorted = longest_first(order.points, distance_scale(order), edges);
-  const LmtCounters counters = delete_more_edges_without_certificate(table, order.points, hull, sorted, context);
+  std::vector<Edge> deleted;
+  const LmtCounters counters =
+      delete_more_edges_without_certificate(table, order.points, hull, sorted, context, &deleted);
+  if (context.proof != nullptr)
+    context.proof->edges.push_back({EdgeReason::not_locally_minimal, std::move(deleted), {}});
   if (context.deadline_passed()) throw SearchStopped(StopReason::deadline, "the deadline passed during the LMT stage");
   return counters.deleted;
 }

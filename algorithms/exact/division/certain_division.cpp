@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "algorithms/exact/division/beta_skeleton.h"
 #include "algorithms/exact/division/crossing_candidates.h"
 #include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/search_stopped.h"
+#include "algorithms/proof_trace.h"
 
 namespace mwt {
 
@@ -30,6 +32,20 @@ std::vector<Edge> difference(const std::vector<Edge>& all, std::vector<Edge> wit
   return rest;
 }
 
+// The edges of the beta-skeleton that others cross, those others, and what LMT deleted without them.
+void note_division(std::vector<Edge> crossing, std::vector<Edge> crossed, std::vector<Edge> deleted,
+                   ProofTrace& trace) {
+  std::vector<Edge> dividing;
+  for (const Edge& edge : crossed) {
+    if (edge.a != edge.b) dividing.push_back(edge);
+  }
+  std::sort(dividing.begin(), dividing.end());
+  dividing.erase(std::unique(dividing.begin(), dividing.end()), dividing.end());
+  trace.edges.push_back({EdgeReason::in_beta_skeleton, std::move(dividing), {}});
+  trace.edges.push_back({EdgeReason::crosses_certain, std::move(crossing), std::move(crossed)});
+  trace.edges.push_back({EdgeReason::not_locally_minimal, std::move(deleted), {}});
+}
+
 }  // namespace
 
 bool is_connected(const CandidateGraph& graph) {
@@ -50,11 +66,14 @@ std::size_t delete_what_crosses_beta_skeleton(const CandidateGraph& graph, const
                                               const Context& context) {
   const std::vector<Edge> dividing = difference(beta_skeleton(graph.points), edges_marked(graph, 1));
   const CandidateGraph division = make_candidate_graph(graph.points, dividing, dividing);
-  const auto crossing = find_crossing_candidates(division, edges_marked(graph, 0), context.deadline);
+  std::vector<Edge> crossed, deleted;
+  auto crossing = find_crossing_candidates(division, edges_marked(graph, 0), context.deadline, &crossed);
   if (!crossing) throw SearchStopped(StopReason::deadline, "the deadline passed while dividing by the beta-skeleton");
   std::vector<CandidatePair> pairs;
   for (const Edge& edge : *crossing) pairs.push_back({edge.a, edge.b});
-  delete_edges(stars, graph.points, hull, pairs, context);
+  delete_edges(stars, graph.points, hull, pairs, context, &deleted);
+  if (context.proof != nullptr && !pairs.empty())
+    note_division(*std::move(crossing), std::move(crossed), std::move(deleted), *context.proof);
   return pairs.size();
 }
 

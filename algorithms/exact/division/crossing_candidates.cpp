@@ -60,8 +60,8 @@ class CrossingSearch {
     }
   }
 
-  // Whether edge uv crosses a certain edge or passes through a point.
-  [[nodiscard]] bool is_crossed(Index u, Index v) const {
+  // A certain edge that edge uv crosses, or a point, as an edge to itself, that it passes through.
+  [[nodiscard]] std::optional<Edge> find_crossed(Index u, Index v) const {
     const Point& p = graph_.points[u];
     const Point& q = graph_.points[v];
     const Box box = box_of(p, q);
@@ -71,13 +71,13 @@ class CrossingSearch {
       const std::uint32_t node = stack[--height];
       if (!meet(box, boxes_[node]) || (node < leaves_ && lies_beside(boxes_[node], p, q))) continue;
       if (node >= leaves_) {
-        if (is_crossed_in_group(node - leaves_, u, v, box)) return true;
+        if (const auto crossed = find_crossed_in_group(node - leaves_, u, v, box)) return crossed;
       } else {
         stack[height++] = 2 * node + 1;
         stack[height++] = 2 * node;
       }
     }
-    return false;
+    return {};
   }
 
  private:
@@ -109,20 +109,20 @@ class CrossingSearch {
     return box;
   }
 
-  [[nodiscard]] bool is_crossed_in_group(Index group, Index u, Index v, const Box& box) const {
+  [[nodiscard]] std::optional<Edge> find_crossed_in_group(Index group, Index u, Index v, const Box& box) const {
     const Point& p = graph_.points[u];
     const Point& q = graph_.points[v];
     for (Index a = group * kGroup; a < end_of(group); ++a) {
       const Point& r = graph_.points[a];
       if (a == u || a == v) continue;
-      if (meet(box, box_of(r, r)) && in_segment_interior(r, p, q)) return true;
+      if (meet(box, box_of(r, r)) && in_segment_interior(r, p, q)) return Edge{a, a};
       for (const Index b : later_ends(a)) {
         if (b == u || b == v) continue;
         const Point& s = graph_.points[b];
-        if (meet(box, box_of(r, s)) && segments_cross(p, q, r, s)) return true;
+        if (meet(box, box_of(r, s)) && segments_cross(p, q, r, s)) return Edge{a, b};
       }
     }
-    return false;
+    return {};
   }
 
   const CandidateGraph& graph_;
@@ -149,20 +149,22 @@ void close_gaps(std::vector<Value>& values, const std::vector<std::uint32_t>& po
 }  // namespace
 
 std::optional<std::vector<Edge>> find_crossing_candidates(const CandidateGraph& graph, std::span<const Edge> suspects,
-                                                          const Deadline& deadline) {
+                                                          const Deadline& deadline, std::vector<Edge>* crossed) {
   constexpr std::size_t kSuspectsPerDeadlineCheck = 64;
   std::vector<Edge> crossing;
   if (suspects.empty()) return crossing;
   const CrossingSearch search(graph);
-  std::vector<std::uint8_t> is_crossed(suspects.size());
+  std::vector<std::optional<Edge>> found(suspects.size());
   std::atomic<bool> is_late = false;
   tbb::parallel_for(std::size_t{0}, suspects.size(), [&](std::size_t i) {
     if (i % kSuspectsPerDeadlineCheck == 0 && has_passed(deadline)) is_late = true;
-    if (!is_late) is_crossed[i] = search.is_crossed(suspects[i].a, suspects[i].b) ? 1 : 0;
+    if (!is_late) found[i] = search.find_crossed(suspects[i].a, suspects[i].b);
   });
   if (is_late) return {};
   for (std::size_t i = 0; i < suspects.size(); ++i) {
-    if (is_crossed[i] != 0) crossing.push_back(suspects[i]);
+    if (!found[i]) continue;
+    crossing.push_back(suspects[i]);
+    if (crossed != nullptr) crossed->push_back(*found[i]);
   }
   return crossing;
 }

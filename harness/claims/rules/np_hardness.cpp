@@ -16,7 +16,10 @@ Claim np_hardness() {
             finding.verdict = ClaimVerdict::by_citation;
             finding.measured =
                 "true (W. Mulzer, G. Rote, Minimum-weight triangulation is NP-hard, J. ACM 55, 2008); to show "
-                "it, 3-SAT would have to be reduced to triangulation, not triangulation to 3-SAT";
+                "it, 3-SAT would have to be reduced to triangulation, not triangulation to 3-SAT. As a model of "
+                "triangulations the source report's formula is right: algorithm boolean_model solves it, and its "
+                "models are exactly the triangulations (tests count them on every family; 586 on the source "
+                "report's example)";
             return finding;
           }};
 }

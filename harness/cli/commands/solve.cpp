@@ -1,9 +1,13 @@
+#include <fmt/core.h>
+
 #include <chrono>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 
+#include "algorithms/proof_trace.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "harness/cli/commands/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/cli/json_output.h"
@@ -11,6 +15,7 @@
 #include "harness/io/given_triangulation.h"
 #include "harness/io/input_file.h"
 #include "harness/io/points/point_file.h"
+#include "harness/io/proof_file.h"
 #include "harness/io/svg.h"
 #include "harness/io/text/text.h"
 #include "harness/io/triangulation_file.h"
@@ -41,6 +46,7 @@ struct SolveArguments {
   std::optional<std::string> triangles;
   std::optional<std::string> edges;
   std::optional<std::string> svg;
+  std::optional<std::string> proof;
 };
 
 Request make_request(const SolveArguments& options, const Catalogue& catalogue, const Instance& instance,
@@ -160,11 +166,20 @@ std::vector<std::string> rate_by_all(RatedRun& run, const std::string& algorithm
 
 std::vector<OutputOption> outputs_of(const SolveArguments& options) {
   std::vector<OutputOption> outputs;
-  for (const auto& [name, file] :
-       {std::pair("--triangles", options.triangles), {"--edges", options.edges}, {"--svg", options.svg}}) {
+  for (const auto& [name, file] : {std::pair("--triangles", options.triangles),
+                                   {"--edges", options.edges},
+                                   {"--svg", options.svg},
+                                   {"--proof", options.proof}}) {
     if (file) outputs.push_back({name, *file});
   }
   return outputs;
+}
+
+void require_proof(const std::string& path, const AlgorithmInfo& algorithm) {
+  if (path == "-") throw InputError("--proof: proofs are binary; give a file, such as points.mwtproof");
+  if (!algorithm.has_proofs)
+    throw InputError(
+        fmt::format("--proof: {} writes no proofs; exact is one of the algorithms that do", algorithm.name));
 }
 
 // Everything that can be wrong about them, before an hour of work is lost to it.
@@ -177,6 +192,7 @@ void require_usable_outputs(const SolveArguments& options, const Request& reques
     if (table) require_table_name(*table);
   }
   if (options.svg) require_picture_name(*options.svg);
+  if (options.proof) require_proof(*options.proof, *request.algorithm);
   const auto streamed = output_to_standard_output(outputs);
   if (streamed && options.json)
     throw InputError("--json and " + streamed->option + " both go to standard output; give " + streamed->option +
@@ -191,6 +207,16 @@ void write_files(const SolveArguments& options, const Instance& instance, const 
   if (options.svg) write_svg(*options.svg, input, in_input);
 }
 
+// Warns if the file proves less than the solver certifies: a part may have been too large for a proof.
+void write_proof_file(const std::string& path, const Instance& instance, const ProofTrace& trace,
+                      const Solution& solution) {
+  if (!trace.is_complete || !solution.optimum)
+    throw InputError("--proof: with these parameters the algorithm proves nothing");
+  const Interval claim = write_proof(path, instance.set.points, trace, solution.triangulation, *solution.optimum);
+  if (claim.lower < solution.optimum->lower * (1 - kProvedRelativeWidth))
+    warn(fmt::format("{} proves only that the optimum is at least {}", path, number_text(claim.lower)));
+}
+
 // Standard output is for the file if one goes there.
 void print(const SolveArguments& options, const SolveOutput& output) {
   std::ostream& out = output_to_standard_output(outputs_of(options)) ? std::cerr : std::cout;
@@ -202,7 +228,9 @@ int solve(const SolveArguments& options) {
   static_cast<void>(catalogue.algorithm(options.algorithm));  // an unknown name is reported before a large file is read
   const std::vector<Point> input = read_points(options.points);
   const Instance instance = make_instance(input, source_name(options.points));
-  const Request request = make_request(options, catalogue, instance, input);
+  Request request = make_request(options, catalogue, instance, input);
+  ProofTrace trace;
+  if (options.proof) request.proof = &trace;
   require_usable_outputs(options, request);
   const Execution execution = execute_once(request, instance.set.points);
   SolveOutput output = describe(request, instance, judged(*request.algorithm, instance.set.points, execution));
@@ -217,6 +245,7 @@ int solve(const SolveArguments& options) {
   output.optimum_cached = found.is_cached;
   const std::vector<std::string> contradictions = rate_by_all(run, output.algorithm, found);
   write_files(options, instance, input, execution.solution.triangulation);
+  if (options.proof) write_proof_file(*options.proof, instance, trace, execution.solution);
   print(options, output);
   if (!contradictions.empty()) throw std::logic_error(joined(contradictions, "; "));
   return kExitOk;
@@ -238,6 +267,7 @@ void declare(CommandOptions& declared, SolveArguments& options) {
       "summary goes to standard error");
   declared.option("--edges", options.edges, "write the edges (a,b per line)");
   declared.option("--svg", options.svg, "write a picture (.svg)");
+  declared.option("--proof", options.proof, "write a proof of the optimum for mwt_verify (.mwtproof)");
 }
 
 }  // namespace

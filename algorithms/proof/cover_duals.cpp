@@ -1,0 +1,150 @@
+#include "algorithms/proof/cover_duals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "algorithms/proof/integer_duals.h"
+#include "algorithms/triangle_lp/cover_balance.h"
+#include "algorithms/triangle_lp/cover_flow.h"
+#include "algorithms/triangle_lp/cover_model.h"
+#include "algorithms/triangle_lp/cover_program.h"
+
+namespace mwt {
+
+namespace {
+
+// A branch whose bound is this near to the known cover, relatively, is done.
+constexpr double kEnough = 1e-13;
+// So many bits has what the cover costs, in units.
+constexpr int kBits = 56;
+// More nodes than these would make no proof that anybody wants to check.
+constexpr std::size_t kMaxNodes = 1'000;
+
+// Depth-first search over decisions on edges, as CoverSearch in triangle_cover.cpp, but all triangles stay: that one is
+// not in the best cover because a better one is known would have to be proved as well.
+class CoverProof {
+ public:
+  CoverProof(DualRegion& region, const TriangleCoverProblem& problem)
+      : region_(region),
+        problem_(problem),
+        model_(problem),
+        has_cover_(problem.start.size() == problem.triangle_count) {
+    const double cost = has_cover_ ? cost_of_start() : model_.max_cover_cost;
+    enough_ = has_cover_ ? cost * (1 - kEnough) : std::numeric_limits<double>::max();
+    const int shift = kBits - std::ilogb(std::max(cost, 0x1p-30));
+    region_.unit_exponent = model_.exponent - shift;
+    duals_.emplace(model_, problem.points, shift);
+    for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) number_of_[model_.edges[edge]] = edge;
+    for (const auto& [i, j] : region_.open_edges) open_.push_back(model_edge(region_.places[i], region_.places[j]));
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      if (open_[i]) place_of_[*open_[i]] = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  void run() {
+    CoverDuals duals = duals_of_cover(model_, problem_.points, problem_.start);
+    balance_duals(model_, duals, problem_.deadline);
+    const std::vector<std::uint32_t> first = promising_columns(duals);
+    program_.emplace(model_, std::move(duals), first, problem_.deadline);
+    explore();
+    const std::int64_t least = *std::min_element(bounds_.begin(), bounds_.end());
+    region_.lower_bound = next_down(std::ldexp(static_cast<double>(least), region_.unit_exponent));
+    region_.lower_bound = std::max(region_.lower_bound, 0.0);
+  }
+
+ private:
+  [[nodiscard]] double cost_of_start() const {
+    const std::set<Triangle> start(problem_.start.begin(), problem_.start.end());
+    double cost = 0;
+    for (const CoverModel::Column& column : model_.columns) {
+      if (start.contains(column.triangle)) cost += model_.cost(column);
+    }
+    return cost;
+  }
+
+  [[nodiscard]] std::optional<std::uint32_t> model_edge(Index a, Index b) const {
+    const auto found = number_of_.find(make_edge(a, b));
+    return found == number_of_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  // Those of the start, and for each of its triangles ten with the smallest reduced costs relative to their costs.
+  [[nodiscard]] std::vector<std::uint32_t> promising_columns(const CoverDuals& duals) const {
+    const std::set<Triangle> start(problem_.start.begin(), problem_.start.end());
+    std::vector<std::pair<double, std::uint32_t>> ranked;
+    for (std::uint32_t c = 0; c < model_.columns.size(); ++c) {
+      const CoverModel::Column& column = model_.columns[c];
+      const double merit =
+          start.contains(column.triangle) ? -1e9 : reduced_cost(model_, duals, column) / model_.cost(column);
+      ranked.emplace_back(merit, c);
+    }
+    const auto wanted = std::min(std::max<std::size_t>(500, 11 * start.size()), ranked.size());
+    std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
+    std::vector<std::uint32_t> columns;
+    for (std::size_t i = 0; i < wanted; ++i) columns.push_back(ranked[i].second);
+    return columns;
+  }
+
+  void explore() {
+    const double lower = program_->solve(enough_);
+    const bool is_done = lower >= enough_ || !program_->solved() || has_passed(problem_.deadline) ||
+                         program_->cover() || !has_cover_ || region_.tree.size() > kMaxNodes;
+    const auto edge = is_done ? std::nullopt : program_->fractional_edge();
+    const auto place = edge ? place_of_.find(*edge) : place_of_.end();
+    if (place == place_of_.end()) return add_leaf();
+    region_.tree.emplace_back().edge = place->second;
+    for (const EdgeDecision decision : {EdgeDecision::in, EdgeDecision::out}) {
+      program_->decide(*edge, decision);
+      explore();
+    }
+    program_->decide(*edge, EdgeDecision::open);
+  }
+
+  void add_leaf() {
+    const CoverDuals& duals = program_->best_duals();
+    duals_->round(duals);
+    bounds_.push_back(duals_->bound());
+    DualNode& leaf = region_.tree.emplace_back();
+    std::size_t first = 0;
+    for (const std::uint32_t size : region_.walk_sizes) {
+      for (std::size_t i = 0; i < size; ++i) {
+        leaf.side_duals.push_back(dual_of(region_.places[first + i], region_.places[first + (i + 1) % size]));
+      }
+      first += size;
+    }
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const auto [from, to] = region_.open_edges[i];
+      leaf.edge_duals.push_back(dual_of(region_.places[from], region_.places[to]));
+      const bool is_in = open_[i] && duals.decisions[*open_[i]] == EdgeDecision::in;
+      leaf.other_duals.push_back(is_in ? dual_of(region_.places[to], region_.places[from]) : -leaf.edge_duals.back());
+    }
+  }
+
+  // 0 for edges that are a side of no triangle.
+  [[nodiscard]] std::int64_t dual_of(Index from, Index to) const {
+    const auto edge = model_edge(from, to);
+    if (!edge) return 0;
+    return duals_->of(from < to ? forward_side(*edge) : backward_side(*edge));
+  }
+
+  DualRegion& region_;
+  const TriangleCoverProblem& problem_;
+  CoverModel model_;
+  bool has_cover_;
+  double enough_ = 0;
+  std::optional<IntegerDuals> duals_;
+  std::map<Edge, std::uint32_t> number_of_;
+  std::vector<std::optional<std::uint32_t>> open_;   // the region's open edges in the model
+  std::map<std::uint32_t, std::uint32_t> place_of_;  // and back
+  std::optional<CoverProgram> program_;
+  std::vector<std::int64_t> bounds_;  // of the leaves
+};
+
+}  // namespace
+
+void add_cover_duals(DualRegion& region, const TriangleCoverProblem& problem) { CoverProof(region, problem).run(); }
+
+}  // namespace mwt

@@ -1,0 +1,60 @@
+// What a solver concludes on its way to an optimum, so that a program that shares no code with it can check every step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geometry/numbers/interval.h"
+#include "geometry/triangulation.h"
+
+namespace mwt {
+
+/// Why edges leave the candidates, or are certain. verifier/README.md has the theorems.
+enum class EdgeReason : std::uint8_t {
+  not_locally_minimal,  ///< leaves: no quadrilateral of empty triangles of candidates in which no flip shortens it
+  crosses_certain,      ///< leaves: it crosses an edge that is certain
+  uncrossed,            ///< is certain: at one of its ends, no side of an empty triangle of candidates crosses it
+  in_beta_skeleton,     ///< is certain: no point sees it at more than 58 degrees
+};
+
+/// Edges for which the same reason holds, one after the other: each conclusion may build on those before.
+struct EdgeConclusions {
+  EdgeReason reason = EdgeReason::uncrossed;
+  std::vector<Edge> edges;
+  std::vector<Edge> crossed;  ///< crosses_certain: for each edge a certain one that it crosses
+};
+
+/// A node of a tree of decisions on a region's open edges, in preorder: a leaf with dual values, or an edge followed by
+/// the tree of the case that it is part of the triangulation, then by that of the case that it is not.
+struct DualNode {
+  std::optional<std::uint32_t> edge;      ///< a branch: position among the region's open edges; nothing for a leaf
+  std::vector<std::int64_t> side_duals;   ///< leaf: of the sides, walk by walk, each before the next corner
+  std::vector<std::int64_t> edge_duals;   ///< leaf: of the open edges' sides from their first to their second place
+  std::vector<std::int64_t> other_duals;  ///< leaf: of their other sides; empty where no edge is decided to be in
+};
+
+/// Dual values that bound what the open edges (candidates that are not certain) of a region weigh; see
+/// verifier/regions.h for what they prove. The unit of length is 2^unit_exponent.
+struct DualRegion {
+  int unit_exponent = 0;
+  std::vector<Index> places;              ///< the points of all walks around the region, then isolated ones
+  std::vector<std::uint32_t> walk_sizes;  ///< the region lies left of each closed walk
+  std::vector<std::array<std::uint32_t, 2>> open_edges;  ///< by places, first < second; ascending
+  std::vector<DualNode> tree;
+  double lower_bound = 0;  ///< what the dual values prove, rounded down
+};
+
+/// The conclusions in their order; edges and points by position in `order`. A solver that supports proofs fills the one
+/// that its context points to; it does nothing else differently.
+struct ProofTrace {
+  std::vector<Index> order;  ///< the instance's points by position; empty: as they are
+  std::vector<EdgeConclusions> edges;
+  std::vector<DualRegion> regions;
+  double lower_bound = 0;    ///< what all this proves of the optimum, rounded down
+  bool is_complete = false;  ///< set by solvers that wrote what they have; others leave everything empty
+};
+
+}  // namespace mwt
