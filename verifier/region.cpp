@@ -16,7 +16,13 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 // Half lengths and dual values are smaller, so that sums of six of them fit into 64 bits.
 constexpr std::int64_t kLimit = std::int64_t{1} << 60;
 
-constexpr std::uint8_t kLeafTag = 0, kBranchTag = 1;
+constexpr std::uint8_t kLeafTag = 0;
+constexpr std::uint8_t kBranchTag = 1;
+
+bool is_branch(std::uint8_t tag) {
+  require(tag == kLeafTag || tag == kBranchTag, "a node is neither a leaf nor a branch");
+  return tag == kBranchTag;
+}
 
 }  // namespace
 
@@ -98,7 +104,7 @@ std::vector<Leaf> Region::read_leaves(ProofReader& proof) {
   std::vector<Leaf> leaves;
   std::vector<Decision> path;
   do {
-    while (proof.byte() == kBranchTag) {
+    while (is_branch(proof.byte())) {
       path.push_back({edge_of_open_[proof.number_below(open_edges_.size())], true, {}});
       decide(path.back());
     }

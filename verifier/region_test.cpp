@@ -15,12 +15,15 @@ namespace {
 
 using namespace testing;
 
-// The leaves of one region that is written by hand.
-std::vector<Leaf> leaves_of(const std::vector<Point>& points, const RegionStep& step) {
-  const test::TestFolder folder;
+std::vector<std::uint8_t> bytes_of(const RegionStep& step) {
   Encoder out;
   encode_region(out, step);
-  write_file(folder.path("proof"), file_of(out.bytes()));
+  return out.bytes();
+}
+
+std::vector<Leaf> leaves_of(const std::vector<Point>& points, const std::vector<std::uint8_t>& bytes) {
+  const test::TestFolder folder;
+  write_file(folder.path("proof"), file_of(bytes));
   ProofReader reader(folder.path("proof"));
   EXPECT_EQ(reader.number(), 5U);
   const PointTree tree(points);
@@ -28,6 +31,11 @@ std::vector<Leaf> leaves_of(const std::vector<Point>& points, const RegionStep& 
   std::vector<Leaf> leaves = region.read_leaves(reader);
   reader.expect_end();
   return leaves;
+}
+
+// The leaves of one region that is written by hand.
+std::vector<Leaf> leaves_of(const std::vector<Point>& points, const RegionStep& step) {
+  return leaves_of(points, bytes_of(step));
 }
 
 // A square of side 8 with both diagonals, in units of 1: half diagonals are 5.65..., rounded down to 5.
@@ -46,6 +54,16 @@ TEST(Region, DualValuesWithinTheirMeansCountInFull) {
   ASSERT_EQ(leaves.size(), 1U);
   EXPECT_EQ(leaves[0].sum, 10);
   EXPECT_EQ(leaves[0].worst, 0);
+}
+
+TEST(Region, ANodeIsALeafOrABranch) {
+  RegionStep region = square_region({3, 2, 3, 2}, {0, 0});
+  std::vector<std::uint8_t> bytes = bytes_of(region);
+  region.tree.clear();
+  std::uint8_t& tag = bytes[bytes_of(region).size()];
+  ASSERT_EQ(tag, 0);
+  tag = 2;
+  EXPECT_THROW(static_cast<void>(leaves_of(kSquare, bytes)), Refused);
 }
 
 TEST(Region, TheWorstTriangleIsFound) {
