@@ -28,7 +28,8 @@ constexpr std::int64_t kNeverFits = std::int64_t{1} << 58;
 
 class CutProof {
  public:
-  CutProof(DualRegion& region, const LocalRegion& local) : region_(region), local_(local) {
+  CutProof(DualRegion& region, const LocalRegion& local, const Deadline& deadline)
+      : region_(region), local_(local), deadline_(deadline) {
     for (const auto& [from, to] : region.open_edges) open_.push_back({region.places[from], region.places[to]});
     boundary_ = undirected_edges(local.boundary);
   }
@@ -39,6 +40,7 @@ class CutProof {
     if (cuts_.size() * (open_.size() + 1) > kMaxDuals) return false;
     std::int64_t least = kNeverFits;
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
+      if (has_passed(deadline_)) return give_up();
       region_.tree.emplace_back().edge = cuts_[i];
       const auto bound = add_polygon_leaf(i);
       if (!bound) return give_up();
@@ -181,6 +183,7 @@ class CutProof {
 
   DualRegion& region_;
   const LocalRegion& local_;
+  const Deadline& deadline_;
   std::vector<Edge> open_;      // of the region, from first to second place
   std::vector<Edge> boundary_;  // undirected, each once
   int turns_ = 0, best_turns_ = 0;
@@ -191,6 +194,8 @@ class CutProof {
 
 }  // namespace
 
-bool add_cut_duals(DualRegion& region, const LocalRegion& local) { return CutProof(region, local).run(); }
+bool add_cut_duals(DualRegion& region, const LocalRegion& local, const Deadline& deadline) {
+  return CutProof(region, local, deadline).run();
+}
 
 }  // namespace mwt

@@ -84,9 +84,9 @@ class FaceProof {
   void note_walk(const Walk& walk, Part& part) {
     const bool has_candidates = std::any_of(walk.begin(), walk.end(), [](const Corner& c) { return c.candidates > 0; });
     if (!has_candidates && walk.size() == 3) return;
-    if (walk.size() > kLongWalk && has_passed(context_.deadline)) return;  // no more than what takes no time
     const auto diagonals = diagonals_of_walk(graph_, walk);
     if (!diagonals) return part.composite_walks.push_back(walk);
+    if (walk.size() > kLongWalk && has_passed(context_.deadline)) return;  // no more than what takes no time
     std::vector<Index> corners;
     for (const Corner& corner : walk) corners.push_back(corner.vertex);
     part.regions.push_back(polygons_.local().solve(graph_.points, corners, *diagonals));
@@ -167,9 +167,10 @@ class FaceProof {
 
   // Nothing if there are too many triangles or the deadline has passed.
   [[nodiscard]] std::optional<DualRegion> note_region(const FaceRegion& region) const {
+    if (has_passed(context_.deadline)) return {};
     const LocalRegion local = make_local(graph_.points, region);
     DualRegion result = outline(local);
-    if (region.components != 2 || !add_cut_duals(result, local)) {
+    if (region.components != 2 || !add_cut_duals(result, local, context_.deadline)) {
       const auto triangles = region_triangles(local.points, local.sides, kMaxTriangles, context_.deadline);
       if (!triangles) return {};
       const std::vector<Triangle> start = known_among(local, *triangles);
