@@ -114,7 +114,7 @@ class CutProof {
     }
     const CandidateGraph graph = make_candidate_graph(local_.points, edges, certain);
     const FaceWalker walker(graph);
-    const std::vector<Corner> walk = walker.corners_of_face(cut.a, walker.corner_towards(cut.a, cut.b).halfedge);
+    const Walk walk = walker.corners_of_face(cut);
     const auto diagonals = diagonals_of_walk(graph, walk);
     if (!diagonals) return {};
     std::vector<Index> corners;

@@ -25,8 +25,6 @@ struct FaceRegion {
   [[nodiscard]] std::size_t diagonal_count() const { return (3 * triangle_count() - boundary.size()) / 2; }
 };
 
-using Walk = std::vector<Corner>;
-
 /// The region of the face with these boundary walks and isolated vertices.
 [[nodiscard]] FaceRegion make_region(const CandidateGraph& graph, const std::vector<const Walk*>& walks,
                                      const std::vector<Index>& isolated);

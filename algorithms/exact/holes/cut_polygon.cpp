@@ -89,8 +89,7 @@ class Cutter {
   // From an edge of the region's boundary, which becomes the closing side. Whether that is the whole boundary.
   bool walk() {
     const FaceWalker walker(polygon_.graph);
-    const Edge start = boundary_.front();
-    corners_ = walker.corners_of_face(start.a, walker.corner_towards(start.a, start.b).halfedge);
+    corners_ = walker.corners_of_face(boundary_.front());
     position_.assign(polygon_.graph.target.size(), kNoIndex);
     for (Position i = 0; i < corners_.size(); ++i) {
       std::uint32_t h = corners_[i].halfedge;
@@ -174,7 +173,7 @@ class Cutter {
   std::vector<Edge> boundary_;  // directed, sorted
   const Deadline& deadline_;
   CutPolygon polygon_;
-  std::vector<Corner> corners_;
+  Walk corners_;
   std::vector<Position> position_;  // by halfedge
 };
 

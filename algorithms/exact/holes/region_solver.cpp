@@ -63,8 +63,7 @@ class RegionSolver {
     const CandidateGraph graph =
         make_candidate_graph(local.points, undirected_edges(local.sides), undirected_edges(local.boundary));
     const FaceWalker walker(graph);
-    const Edge start = local.boundary.front();
-    const Walk walk = walker.corners_of_face(start.a, walker.corner_towards(start.a, start.b).halfedge);
+    const Walk walk = walker.corners_of_face(local.boundary.front());
     RegionSolution result;
     if (walk.size() == 3 && region_.triangle_count() == 1) {
       result.triangles = local.in_instance({{walk[0].vertex, walk[1].vertex, walk[2].vertex}});

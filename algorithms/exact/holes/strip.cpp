@@ -61,7 +61,7 @@ class StripBuilder {
     std::sort(certain.begin(), certain.end());
     graph_ = make_candidate_graph(points_, undirected_edges(std::move(edges)), certain);
     walker_.emplace(graph_);
-    corners_ = walker_->corners_of_face(cut_.b, walker_->corner_towards(cut_.b, cut_.a).halfedge);
+    corners_ = walker_->corners_of_face(Edge{cut_.b, cut_.a});
     for (std::size_t i = 0; i < corners_.size(); ++i) position_.emplace(corners_[i].halfedge, static_cast<Place>(i));
   }
 
@@ -152,7 +152,7 @@ class StripBuilder {
   Edge cut_;                      // from the outer component to the inner one
   CandidateGraph graph_;
   std::optional<FaceWalker> walker_;
-  std::vector<Corner> corners_;
+  Walk corners_;
   std::unordered_map<std::uint32_t, Place> position_;  // of the corner that begins with this halfedge
   Place outer_ = 0;
   Place inner_ = 0;
