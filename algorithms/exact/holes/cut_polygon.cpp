@@ -17,30 +17,16 @@ namespace {
 using Cell = IntervalProgram::Cell;
 using Position = IntervalProgram::Position;
 
-std::vector<Edge> in_places(const FaceRegion& region, const std::vector<Edge>& edges) {
-  std::vector<Edge> places;
-  places.reserve(edges.size());
-  for (const Edge& edge : edges) places.push_back({region.place_of(edge.a), region.place_of(edge.b)});
-  return places;
-}
-
-std::vector<Point> points_of(Points points, const FaceRegion& region) {
-  std::vector<Point> own;
-  own.reserve(region.vertices.size());
-  for (const Index vertex : region.vertices) own.push_back(points[vertex]);
-  return own;
-}
-
 class Cutter {
  public:
   Cutter(Points points, const FaceRegion& region, std::vector<Edge> cuts, const Deadline& deadline)
-      : boundary_(in_places(region, region.boundary)), deadline_(deadline) {
+      : boundary_(region.in_places(region.boundary)), deadline_(deadline) {
     std::sort(boundary_.begin(), boundary_.end());
     std::sort(cuts.begin(), cuts.end());
-    polygon_.points = points_of(points, region);
+    polygon_.points = region.points_among(points);
     polygon_.cuts = std::move(cuts);
     polygon_.program = IntervalProgram(polygon_.points);
-    make_graph(in_places(region, region.candidates));
+    make_graph(region.in_places(region.candidates));
   }
 
   std::optional<CutPolygon> run() {
@@ -180,11 +166,11 @@ class Cutter {
 }  // namespace
 
 std::vector<Edge> shortest_cuts(Points points, const FaceRegion& region) {
-  const std::vector<Point> own = points_of(points, region);
+  const std::vector<Point> own = region.points_among(points);
   DisjointSets components(own.size());
-  for (const Edge& edge : in_places(region, region.boundary)) components.unite(edge.a, edge.b);
+  for (const Edge& edge : region.in_places(region.boundary)) components.unite(edge.a, edge.b);
   std::vector<Edge> joining;
-  for (const Edge& edge : in_places(region, region.candidates)) {
+  for (const Edge& edge : region.in_places(region.candidates)) {
     if (components.find(edge.a) != components.find(edge.b)) joining.push_back(edge);
   }
   std::stable_sort(joining.begin(), joining.end(),

@@ -156,13 +156,12 @@ class RegionSolver {
 
   // Along the certain ones and those that no other candidate crosses.
   std::optional<RegionSolution> divide(const ReducedRegion& reduced, const RegionSearch& search) {
-    std::vector<Point> own;
-    for (const Index vertex : region_.vertices) own.push_back(points_[vertex]);
-    const std::vector<Edge> boundary = in_places(region_.boundary);
+    const std::vector<Point> own = region_.points_among(points_);
+    const std::vector<Edge> boundary = region_.in_places(region_.boundary);
     std::vector<Edge> certain = undirected_edges(boundary);
-    std::vector<Edge> edges = in_places(reduced.candidates);
+    std::vector<Edge> edges = region_.in_places(reduced.candidates);
     edges.insert(edges.end(), certain.begin(), certain.end());
-    for (const Edge& edge : in_places(reduced.certain)) certain.push_back(edge);
+    for (const Edge& edge : region_.in_places(reduced.certain)) certain.push_back(edge);
     std::sort(certain.begin(), certain.end());
     CandidateGraph graph = make_candidate_graph(own, undirected_edges(std::move(edges)), certain);
     if (mark_uncrossed_edges(graph) == 0 && reduced.certain.empty()) return {};
@@ -172,12 +171,6 @@ class RegionSolver {
       for (Index& corner : triangle) corner = region_.vertices[corner];
     }
     return solution;
-  }
-
-  [[nodiscard]] std::vector<Edge> in_places(const std::vector<Edge>& edges) const {
-    std::vector<Edge> places;
-    for (const Edge& edge : edges) places.push_back({region_.place_of(edge.a), region_.place_of(edge.b)});
-    return places;
   }
 
   // Where they are few: divided along the sides that all consistent triangles leave uncrossed, or by a linear program.

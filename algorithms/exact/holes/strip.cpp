@@ -18,12 +18,10 @@ using Place = Strip::Place;
 
 class StripBuilder {
  public:
-  StripBuilder(Points points, const FaceRegion& region) : points_(points) {
-    for (const Edge& edge : region.boundary) boundary_.push_back({region.place_of(edge.a), region.place_of(edge.b)});
-    boundary_ = undirected_edges(std::move(boundary_));
-    for (const Edge& edge : region.candidates)
-      candidates_.push_back({region.place_of(edge.a), region.place_of(edge.b)});
-  }
+  StripBuilder(Points points, const FaceRegion& region)
+      : points_(points),
+        boundary_(undirected_edges(region.in_places(region.boundary))),
+        candidates_(region.in_places(region.candidates)) {}
 
   std::optional<Strip> run() {
     if (!choose_cut()) return {};
