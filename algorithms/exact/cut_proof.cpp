@@ -10,6 +10,7 @@
 #include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/faces/face_walk.h"
 #include "algorithms/exact/faces/walk_diagonals.h"
+#include "algorithms/proof/dual_leaf.h"
 #include "algorithms/proof/half_length.h"
 #include "algorithms/proof/polygon_duals.h"
 #include "geometry/numbers/interval.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr std::size_t kMaxDuals = 20'000'000;
 
 // What the region costs at least if nothing fits: more than any polygon's optimum.
-constexpr std::int64_t kNeverFits = std::int64_t{1} << 58;
+constexpr std::int64_t kNeverFits = PolygonDuals::kNever;
 
 class CutProof {
  public:
@@ -148,7 +149,7 @@ class CutProof {
         std::max<std::int64_t>(0, half_length(length(local_.points[a], local_.points[b]), region_.unit_exponent));
     dual_of[{a, b}] += half;
     dual_of[{b, a}] += half;
-    add_leaf([&](Index from, Index to) {
+    add_leaf(region_, [&](Index from, Index to) {
       const auto found = dual_of.find({from, to});
       return found == dual_of.end() ? 0 : found->second;
     });
@@ -157,28 +158,13 @@ class CutProof {
 
   // All cuts are out: around every triangle, the sides cross the ray from beyond `from_` as often one way as the other.
   void add_impossible_leaf() {
-    add_leaf([&](Index from, Index to) {
+    add_leaf(region_, [&](Index from, Index to) {
       const Point a = turned(from), b = turned(to), u = turned(from_);
       if (from == from_ || to == from_) return std::int64_t{0};
       if (a.y <= u.y && u.y < b.y && orientation(a, b, u) > 0) return kNeverFits;
       if (b.y <= u.y && u.y < a.y && orientation(b, a, u) > 0) return -kNeverFits;
       return std::int64_t{0};
     });
-  }
-
-  template <class DualOf>
-  void add_leaf(const DualOf& dual_of) {
-    DualNode& leaf = region_.tree.emplace_back();
-    std::size_t first = 0;
-    for (const std::uint32_t size : region_.walk_sizes) {
-      for (std::size_t i = 0; i < size; ++i)
-        leaf.side_duals.push_back(dual_of(region_.places[first + i], region_.places[first + (i + 1) % size]));
-      first += size;
-    }
-    for (const auto& [a, b] : open_) {
-      leaf.edge_duals.push_back(dual_of(a, b));
-      leaf.other_duals.push_back(dual_of(b, a));
-    }
   }
 
   DualRegion& region_;

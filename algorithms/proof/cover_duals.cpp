@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "algorithms/proof/dual_leaf.h"
 #include "algorithms/proof/integer_duals.h"
 #include "algorithms/triangle_lp/cover_balance.h"
 #include "algorithms/triangle_lp/cover_flow.h"
@@ -39,9 +40,9 @@ class CoverProof {
     region_.unit_exponent = model_.exponent - shift;
     duals_.emplace(model_, problem.points, shift);
     for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) number_of_[model_.edges[edge]] = edge;
-    for (const auto& [i, j] : region_.open_edges) open_.push_back(model_edge(region_.places[i], region_.places[j]));
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      if (open_[i]) place_of_[*open_[i]] = static_cast<std::uint32_t>(i);
+    for (std::uint32_t i = 0; i < region_.open_edges.size(); ++i) {
+      const auto& [from, to] = region_.open_edges[i];
+      if (const auto edge = model_edge(region_.places[from], region_.places[to])) place_of_[*edge] = i;
     }
   }
 
@@ -94,7 +95,7 @@ class CoverProof {
                          program_->cover() || !has_cover_ || region_.tree.size() > kMaxNodes;
     const auto edge = is_done ? std::nullopt : program_->fractional_edge();
     const auto place = edge ? place_of_.find(*edge) : place_of_.end();
-    if (place == place_of_.end()) return add_leaf();
+    if (place == place_of_.end()) return round_to_leaf();
     region_.tree.emplace_back().edge = place->second;
     for (const EdgeDecision decision : {EdgeDecision::in, EdgeDecision::out}) {
       program_->decide(*edge, decision);
@@ -103,27 +104,13 @@ class CoverProof {
     program_->decide(*edge, EdgeDecision::open);
   }
 
-  void add_leaf() {
-    const CoverDuals& duals = program_->best_duals();
-    duals_->round(duals);
+  void round_to_leaf() {
+    duals_->round(program_->best_duals());
     bounds_.push_back(duals_->bound());
-    DualNode& leaf = region_.tree.emplace_back();
-    std::size_t first = 0;
-    for (const std::uint32_t size : region_.walk_sizes) {
-      for (std::size_t i = 0; i < size; ++i) {
-        leaf.side_duals.push_back(dual_of(region_.places[first + i], region_.places[first + (i + 1) % size]));
-      }
-      first += size;
-    }
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      const auto [from, to] = region_.open_edges[i];
-      leaf.edge_duals.push_back(dual_of(region_.places[from], region_.places[to]));
-      const bool is_in = open_[i] && duals.decisions[*open_[i]] == EdgeDecision::in;
-      leaf.other_duals.push_back(is_in ? dual_of(region_.places[to], region_.places[from]) : -leaf.edge_duals.back());
-    }
+    add_leaf(region_, [this](Index from, Index to) { return dual_of(from, to); });
   }
 
-  // 0 for edges that are a side of no triangle.
+  // 0 for edges that are a side of no triangle. Opposite on the two sides of an edge that is not decided to be in.
   [[nodiscard]] std::int64_t dual_of(Index from, Index to) const {
     const auto edge = model_edge(from, to);
     if (!edge) return 0;
@@ -137,8 +124,7 @@ class CoverProof {
   double enough_ = 0;
   std::optional<IntegerDuals> duals_;
   std::map<Edge, std::uint32_t> number_of_;
-  std::vector<std::optional<std::uint32_t>> open_;   // the region's open edges in the model
-  std::map<std::uint32_t, std::uint32_t> place_of_;  // and back
+  std::map<std::uint32_t, std::uint32_t> place_of_;  // of the model's edges among the region's open ones
   std::optional<CoverProgram> program_;
   std::vector<std::int64_t> bounds_;  // of the leaves
 };
