@@ -21,7 +21,7 @@ namespace mwt {
 
 namespace {
 
-// More dual values would make no proof that anybody wants to check.
+// Checking a proof with more dual values would take too long.
 constexpr std::size_t kMaxDuals = 20'000'000;
 
 // What the region costs at least if nothing fits: more than any polygon's optimum.

@@ -20,13 +20,13 @@ namespace {
 
 // A branch whose bound is this near to the known cover, relatively, is done.
 constexpr double kEnough = 1e-13;
-// So many bits has what the cover costs, in units.
+// The cost of the cover has this many bits, in units.
 constexpr int kBits = 56;
-// More nodes than these would make no proof that anybody wants to check.
+// Checking a proof with more nodes would take too long.
 constexpr std::size_t kMaxNodes = 1'000;
 
-// Depth-first search over decisions on edges, as CoverSearch in triangle_cover.cpp, but all triangles stay: that one is
-// not in the best cover because a better one is known would have to be proved as well.
+// Depth-first search over decisions on edges, as CoverSearch in triangle_cover.cpp, but all triangles stay: the
+// verifier would need a proof for each one left out.
 class CoverProof {
  public:
   CoverProof(DualRegion& region, const TriangleCoverProblem& problem)

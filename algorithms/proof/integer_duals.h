@@ -1,4 +1,4 @@
-// Credits of a cover model in integers: nothing about them is rounded any more.
+// Dual values of a cover model as integers, which sums and comparisons do not round.
 #pragma once
 
 #include <cstdint>

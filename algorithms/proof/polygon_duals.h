@@ -1,4 +1,4 @@
-// Dual values of a polygon's dynamic program, in integers: what proves its optimum to somebody else.
+// Dual values of a polygon's dynamic program, in integers: the verifier checks them.
 #pragma once
 
 #include <array>

@@ -24,7 +24,7 @@ namespace mwt {
 
 namespace {
 
-// Regions of more empty triangles than this are branched on before GLPK gets to see them.
+// Regions with more empty triangles are branched on first; the linear program comes later.
 constexpr std::size_t kMaxProgramTriangles = 20'000;
 
 // Fewer candidates by this factor are worth cutting the region open again.
