@@ -49,7 +49,7 @@ class CoverProof {
   void run() {
     CoverDuals duals = duals_of_cover(model_, problem_.points, problem_.start);
     balance_duals(model_, duals, problem_.deadline);
-    const std::vector<std::uint32_t> first = promising_columns(duals);
+    const std::vector<std::uint32_t> first = promising_columns(model_, duals, problem_.start, 10);
     program_.emplace(model_, std::move(duals), first, problem_.deadline);
     explore();
     const std::int64_t least = *std::min_element(bounds_.begin(), bounds_.end());
@@ -70,23 +70,6 @@ class CoverProof {
   [[nodiscard]] std::optional<std::uint32_t> model_edge(Index a, Index b) const {
     const auto found = number_of_.find(make_edge(a, b));
     return found == number_of_.end() ? std::nullopt : std::optional(found->second);
-  }
-
-  // Those of the start, and for each of its triangles ten with the smallest reduced costs relative to their costs.
-  [[nodiscard]] std::vector<std::uint32_t> promising_columns(const CoverDuals& duals) const {
-    const std::set<Triangle> start(problem_.start.begin(), problem_.start.end());
-    std::vector<std::pair<double, std::uint32_t>> ranked;
-    for (std::uint32_t c = 0; c < model_.columns.size(); ++c) {
-      const CoverModel::Column& column = model_.columns[c];
-      const double merit =
-          start.contains(column.triangle) ? -1e9 : reduced_cost(model_, duals, column) / model_.cost(column);
-      ranked.emplace_back(merit, c);
-    }
-    const auto wanted = std::min(std::max<std::size_t>(500, 11 * start.size()), ranked.size());
-    std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
-    std::vector<std::uint32_t> columns;
-    for (std::size_t i = 0; i < wanted; ++i) columns.push_back(ranked[i].second);
-    return columns;
   }
 
   void explore() {
