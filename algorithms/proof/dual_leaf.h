@@ -7,8 +7,8 @@
 
 namespace mwt {
 
-/// Appends a leaf to the tree of a region whose outline (places, walks, open edges) is given. `dual_of(from, to)` is the
-/// dual value of the side on the left of the edge between two of the region's points.
+/// Appends a leaf to the tree of a region whose outline (places, walks, open edges) is given. `dual_of(from, to)` is
+/// the dual value of the side on the left of the edge between two of the region's points.
 template <class DualOf>
 void add_leaf(DualRegion& region, const DualOf& dual_of) {
   DualNode& leaf = region.tree.emplace_back();

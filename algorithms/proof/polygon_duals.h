@@ -31,8 +31,8 @@ class PolygonDuals {
   /// of a diagonal from its later to its earlier end gets what the polygon on that side costs at least, with half the
   /// diagonal, and the other side the negative of that; the last side of the polygon gets the optimum.
   ///
-  /// With a unit given, that is taken, and what costs kNever units or more, or has no triangulation, is proved to cost at
-  /// least kNever.
+  /// With a unit given, that is taken, and what costs kNever units or more, or has no triangulation, is proved to cost
+  /// at least kNever.
   ///
   /// Time as the program itself: the sum over the diagonals of the diagonals at one of their ends.
   [[nodiscard]] DualRegion solve(Points points, std::span<const Index> corners,

@@ -372,8 +372,8 @@ HWY_EXPORT(DeleteEdgesWithoutCertificatePlainly);
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
                                              std::span<const CandidatePair> edges, const Context& context,
                                              std::vector<Edge>* deleted, std::uint32_t max_examined) {
-  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)
-  (table, points, hull, edges, context, deleted, max_examined);
+  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context, deleted,
+                                                             max_examined);
 }
 
 LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,

@@ -44,8 +44,8 @@ template <class IsNeighbour>
       place = (place > 0 ? place : degree) - 1;
     }
     const Index w = star[place];
-    const bool leaves_between =
-        turn * orientation(points[y], points[s], points[w]) > 0 && turn * orientation(points[y], points[w], points[t]) > 0;
+    const bool leaves_between = turn * orientation(points[y], points[s], points[w]) > 0 &&
+                                turn * orientation(points[y], points[w], points[t]) > 0;
     if (!leaves_between) return false;
     if (turn * orientation(points[s], points[t], points[w]) < 0 && is_neighbour(w)) return true;
   }

@@ -57,9 +57,9 @@ struct FacePart {
   std::vector<Index> isolated;        ///< vertices without certain edges
 };
 
-/// Shows every walk around a face, the outer one excepted, to a visitor: visit(walk, part), `Part` being a FacePart with
-/// what else the visitor finds. Walks come in parallel, those of one part one after the other, on the threads of the
-/// enclosing task arena; which part a walk belongs to does not depend on them.
+/// Shows every walk around a face, the outer one excepted, to a visitor: visit(walk, part), `Part` being a FacePart
+/// with what else the visitor finds. Walks come in parallel, those of one part one after the other, on the threads of
+/// the enclosing task arena; which part a walk belongs to does not depend on them.
 template <class Part>
 class FaceTraversal {
  public:
