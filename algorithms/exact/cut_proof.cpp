@@ -10,6 +10,7 @@
 #include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/faces/face_walk.h"
 #include "algorithms/exact/faces/walk_diagonals.h"
+#include "algorithms/proof/dual_leaf.h"
 #include "algorithms/proof/half_length.h"
 #include "algorithms/proof/polygon_duals.h"
 #include "geometry/numbers/interval.h"
@@ -20,15 +21,16 @@ namespace mwt {
 
 namespace {
 
-// More dual values would make no proof that anybody wants to check.
+// Checking a proof with more dual values would take too long.
 constexpr std::size_t kMaxDuals = 20'000'000;
 
 // What the region costs at least if nothing fits: more than any polygon's optimum.
-constexpr std::int64_t kNeverFits = std::int64_t{1} << 58;
+constexpr std::int64_t kNeverFits = PolygonDuals::kNever;
 
 class CutProof {
  public:
-  CutProof(DualRegion& region, const LocalRegion& local) : region_(region), local_(local) {
+  CutProof(DualRegion& region, const LocalRegion& local, const Deadline& deadline)
+      : region_(region), local_(local), deadline_(deadline) {
     for (const auto& [from, to] : region.open_edges) open_.push_back({region.places[from], region.places[to]});
     boundary_ = undirected_edges(local.boundary);
   }
@@ -39,6 +41,7 @@ class CutProof {
     if (cuts_.size() * (open_.size() + 1) > kMaxDuals) return false;
     std::int64_t least = kNeverFits;
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
+      if (has_passed(deadline_)) return give_up();
       region_.tree.emplace_back().edge = cuts_[i];
       const auto bound = add_polygon_leaf(i);
       if (!bound) return give_up();
@@ -112,7 +115,7 @@ class CutProof {
     }
     const CandidateGraph graph = make_candidate_graph(local_.points, edges, certain);
     const FaceWalker walker(graph);
-    const std::vector<Corner> walk = walker.corners_of_face(cut.a, walker.corner_towards(cut.a, cut.b).halfedge);
+    const Walk walk = walker.corners_of_face(cut);
     const auto diagonals = diagonals_of_walk(graph, walk);
     if (!diagonals) return {};
     std::vector<Index> corners;
@@ -146,7 +149,7 @@ class CutProof {
         std::max<std::int64_t>(0, half_length(length(local_.points[a], local_.points[b]), region_.unit_exponent));
     dual_of[{a, b}] += half;
     dual_of[{b, a}] += half;
-    add_leaf([&](Index from, Index to) {
+    add_leaf(region_, [&](Index from, Index to) {
       const auto found = dual_of.find({from, to});
       return found == dual_of.end() ? 0 : found->second;
     });
@@ -155,7 +158,7 @@ class CutProof {
 
   // All cuts are out: around every triangle, the sides cross the ray from beyond `from_` as often one way as the other.
   void add_impossible_leaf() {
-    add_leaf([&](Index from, Index to) {
+    add_leaf(region_, [&](Index from, Index to) {
       const Point a = turned(from), b = turned(to), u = turned(from_);
       if (from == from_ || to == from_) return std::int64_t{0};
       if (a.y <= u.y && u.y < b.y && orientation(a, b, u) > 0) return kNeverFits;
@@ -164,23 +167,9 @@ class CutProof {
     });
   }
 
-  template <class DualOf>
-  void add_leaf(const DualOf& dual_of) {
-    DualNode& leaf = region_.tree.emplace_back();
-    std::size_t first = 0;
-    for (const std::uint32_t size : region_.walk_sizes) {
-      for (std::size_t i = 0; i < size; ++i)
-        leaf.side_duals.push_back(dual_of(region_.places[first + i], region_.places[first + (i + 1) % size]));
-      first += size;
-    }
-    for (const auto& [a, b] : open_) {
-      leaf.edge_duals.push_back(dual_of(a, b));
-      leaf.other_duals.push_back(dual_of(b, a));
-    }
-  }
-
   DualRegion& region_;
   const LocalRegion& local_;
+  const Deadline& deadline_;
   std::vector<Edge> open_;      // of the region, from first to second place
   std::vector<Edge> boundary_;  // undirected, each once
   int turns_ = 0, best_turns_ = 0;
@@ -191,6 +180,8 @@ class CutProof {
 
 }  // namespace
 
-bool add_cut_duals(DualRegion& region, const LocalRegion& local) { return CutProof(region, local).run(); }
+bool add_cut_duals(DualRegion& region, const LocalRegion& local, const Deadline& deadline) {
+  return CutProof(region, local, deadline).run();
+}
 
 }  // namespace mwt

@@ -1,6 +1,7 @@
 // Proofs for faces with one hole or isolated vertex: cut open in every way that matters, they are polygons.
 #pragma once
 
+#include "algorithms/deadline.h"
 #include "algorithms/exact/holes/local_region.h"
 #include "algorithms/proof_trace.h"
 
@@ -8,7 +9,7 @@ namespace mwt {
 
 /// Fills the unit, the tree and the lower bound of a region whose boundary has two components and whose outline
 /// (places, walks, open edges by points of `local`) is given. Returns whether it did: not if the tree would be too
-/// large.
+/// large or the deadline passes.
 ///
 /// Let u be the inner component's last point in some direction. A triangulation leaves no angle of 180 degrees at u, so
 /// one of the open edges that lead from u farther in that direction is part of it (CutPolygon in holes/cut_polygon.h).
@@ -18,6 +19,6 @@ namespace mwt {
 /// triangle.
 ///
 /// Time and space: as many interval programs, and as many values per open edge, as there are such edges.
-bool add_cut_duals(DualRegion& region, const LocalRegion& local);
+bool add_cut_duals(DualRegion& region, const LocalRegion& local, const Deadline& deadline);
 
 }  // namespace mwt

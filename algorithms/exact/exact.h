@@ -21,7 +21,7 @@ namespace mwt {
 /// Preconditions: distinct points, not all collinear. Collinear triples, ties and all magnitudes are normal input.
 /// Postcondition: the triangulation's weight is the optimum's upper end, and the optimum is certified from below. Where
 /// the deadline, memory or a size stop a stage, the result is a valid triangulation with a wider interval, never an
-/// abort, and `stop_reason` says which; the size that stops it is a count of candidates beyond max(10^8, 64 n). The
+/// abort, and `stop_reason` says which; the size that stops it is a count of candidates beyond max(3*10^7, 64 n). The
 /// triangulation is then the lightest that heuristics find in the time that is left, for which the stages end a little
 /// before the deadline (common/lightest_heuristic.h): never heavier than those of `greedy`, `patch` and `flip`, time
 /// permitting. Ties: between optima of equal weight, the order of the points decides. Time: about n log n on inputs of

@@ -1,4 +1,4 @@
-// What proves the optimum of points in convex position to somebody else.
+// A proof of the optimum of points in convex position, for the verifier.
 #pragma once
 
 #include <optional>

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "algorithms/proof/dual_leaf.h"
 #include "algorithms/proof/integer_duals.h"
 #include "algorithms/triangle_lp/cover_balance.h"
 #include "algorithms/triangle_lp/cover_flow.h"
@@ -19,13 +20,13 @@ namespace {
 
 // A branch whose bound is this near to the known cover, relatively, is done.
 constexpr double kEnough = 1e-13;
-// So many bits has what the cover costs, in units.
+// The cost of the cover has this many bits, in units.
 constexpr int kBits = 56;
-// More nodes than these would make no proof that anybody wants to check.
+// Checking a proof with more nodes would take too long.
 constexpr std::size_t kMaxNodes = 1'000;
 
-// Depth-first search over decisions on edges, as CoverSearch in triangle_cover.cpp, but all triangles stay: that one is
-// not in the best cover because a better one is known would have to be proved as well.
+// Depth-first search over decisions on edges, as CoverSearch in triangle_cover.cpp, but all triangles stay: the
+// verifier would need a proof for each one left out.
 class CoverProof {
  public:
   CoverProof(DualRegion& region, const TriangleCoverProblem& problem)
@@ -39,16 +40,16 @@ class CoverProof {
     region_.unit_exponent = model_.exponent - shift;
     duals_.emplace(model_, problem.points, shift);
     for (std::uint32_t edge = 0; edge < model_.edges.size(); ++edge) number_of_[model_.edges[edge]] = edge;
-    for (const auto& [i, j] : region_.open_edges) open_.push_back(model_edge(region_.places[i], region_.places[j]));
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      if (open_[i]) place_of_[*open_[i]] = static_cast<std::uint32_t>(i);
+    for (std::uint32_t i = 0; i < region_.open_edges.size(); ++i) {
+      const auto& [from, to] = region_.open_edges[i];
+      if (const auto edge = model_edge(region_.places[from], region_.places[to])) place_of_[*edge] = i;
     }
   }
 
   void run() {
     CoverDuals duals = duals_of_cover(model_, problem_.points, problem_.start);
     balance_duals(model_, duals, problem_.deadline);
-    const std::vector<std::uint32_t> first = promising_columns(duals);
+    const std::vector<std::uint32_t> first = promising_columns(model_, duals, problem_.start, 10);
     program_.emplace(model_, std::move(duals), first, problem_.deadline);
     explore();
     const std::int64_t least = *std::min_element(bounds_.begin(), bounds_.end());
@@ -71,30 +72,13 @@ class CoverProof {
     return found == number_of_.end() ? std::nullopt : std::optional(found->second);
   }
 
-  // Those of the start, and for each of its triangles ten with the smallest reduced costs relative to their costs.
-  [[nodiscard]] std::vector<std::uint32_t> promising_columns(const CoverDuals& duals) const {
-    const std::set<Triangle> start(problem_.start.begin(), problem_.start.end());
-    std::vector<std::pair<double, std::uint32_t>> ranked;
-    for (std::uint32_t c = 0; c < model_.columns.size(); ++c) {
-      const CoverModel::Column& column = model_.columns[c];
-      const double merit =
-          start.contains(column.triangle) ? -1e9 : reduced_cost(model_, duals, column) / model_.cost(column);
-      ranked.emplace_back(merit, c);
-    }
-    const auto wanted = std::min(std::max<std::size_t>(500, 11 * start.size()), ranked.size());
-    std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
-    std::vector<std::uint32_t> columns;
-    for (std::size_t i = 0; i < wanted; ++i) columns.push_back(ranked[i].second);
-    return columns;
-  }
-
   void explore() {
     const double lower = program_->solve(enough_);
     const bool is_done = lower >= enough_ || !program_->solved() || has_passed(problem_.deadline) ||
                          program_->cover() || !has_cover_ || region_.tree.size() > kMaxNodes;
     const auto edge = is_done ? std::nullopt : program_->fractional_edge();
     const auto place = edge ? place_of_.find(*edge) : place_of_.end();
-    if (place == place_of_.end()) return add_leaf();
+    if (place == place_of_.end()) return round_to_leaf();
     region_.tree.emplace_back().edge = place->second;
     for (const EdgeDecision decision : {EdgeDecision::in, EdgeDecision::out}) {
       program_->decide(*edge, decision);
@@ -103,27 +87,13 @@ class CoverProof {
     program_->decide(*edge, EdgeDecision::open);
   }
 
-  void add_leaf() {
-    const CoverDuals& duals = program_->best_duals();
-    duals_->round(duals);
+  void round_to_leaf() {
+    duals_->round(program_->best_duals());
     bounds_.push_back(duals_->bound());
-    DualNode& leaf = region_.tree.emplace_back();
-    std::size_t first = 0;
-    for (const std::uint32_t size : region_.walk_sizes) {
-      for (std::size_t i = 0; i < size; ++i) {
-        leaf.side_duals.push_back(dual_of(region_.places[first + i], region_.places[first + (i + 1) % size]));
-      }
-      first += size;
-    }
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      const auto [from, to] = region_.open_edges[i];
-      leaf.edge_duals.push_back(dual_of(region_.places[from], region_.places[to]));
-      const bool is_in = open_[i] && duals.decisions[*open_[i]] == EdgeDecision::in;
-      leaf.other_duals.push_back(is_in ? dual_of(region_.places[to], region_.places[from]) : -leaf.edge_duals.back());
-    }
+    add_leaf(region_, [this](Index from, Index to) { return dual_of(from, to); });
   }
 
-  // 0 for edges that are a side of no triangle.
+  // 0 for edges that are a side of no triangle. Opposite on the two sides of an edge that is not decided to be in.
   [[nodiscard]] std::int64_t dual_of(Index from, Index to) const {
     const auto edge = model_edge(from, to);
     if (!edge) return 0;
@@ -137,8 +107,7 @@ class CoverProof {
   double enough_ = 0;
   std::optional<IntegerDuals> duals_;
   std::map<Edge, std::uint32_t> number_of_;
-  std::vector<std::optional<std::uint32_t>> open_;   // the region's open edges in the model
-  std::map<std::uint32_t, std::uint32_t> place_of_;  // and back
+  std::map<std::uint32_t, std::uint32_t> place_of_;  // of the model's edges among the region's open ones
   std::optional<CoverProgram> program_;
   std::vector<std::int64_t> bounds_;  // of the leaves
 };

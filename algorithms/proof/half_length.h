@@ -8,8 +8,8 @@
 
 namespace mwt {
 
-/// Half of a length in units of 2^unit_exponent, rounded down, at most one unit too small: who computes it exactly gets
-/// no less. Preconditions: the length errs by less than 2^-90 of itself, and the result is below 2^58.
+/// Half of a length in units of 2^unit_exponent, rounded down: at most one unit too small, never too large.
+/// Preconditions: the length errs by less than 2^-90 of itself, and the result is below 2^58.
 [[nodiscard]] inline std::int64_t half_length(const DoubleDouble& length, int unit_exponent) {
   const double high = std::ldexp(length.high, -unit_exponent - 1), low = std::ldexp(length.low, -unit_exponent - 1);
   const double whole = std::floor(high);

@@ -22,21 +22,17 @@ std::int64_t rounded_down(DoubleDouble value, int shift) {
 }  // namespace
 
 IntegerDuals::IntegerDuals(const CoverModel& model, Points points, int shift)
-    : model_(model), points_(points), shift_(shift), dual_(model.side_cost.size()), first_(dual_.size() + 1) {
+    : model_(model), points_(points), shift_(shift), dual_(model.side_cost.size()) {
   for (std::uint32_t edge = 0; edge < model.edges.size(); ++edge) {
     // Lengths err by less than 2^-90 of themselves, and they are below 2^60.
     const std::int64_t half = rounded_down(model.side_cost[forward_side(edge)] - std::ldexp(1.0, -20 - shift), shift);
     half_.push_back(model.is_inner(edge) ? std::max<std::int64_t>(half, 0) : 0);
   }
-  for (const CoverModel::Column& column : model.columns) {
-    for (const Side side : column.sides) ++first_[side + std::size_t{1}];
-  }
-  for (std::size_t side = 1; side < first_.size(); ++side) first_[side] += first_[side - 1];
-  columns_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (Column c = 0; c < model.columns.size(); ++c) {
-    for (const Side side : model.columns[c].sides) columns_[next[side]++] = c;
-  }
+  columns_ = file_in_rows<Column>(dual_.size(), [&](const auto& file) {
+    for (Column c = 0; c < model.columns.size(); ++c) {
+      for (const Side side : model.columns[c].sides) file(side, c);
+    }
+  });
 }
 
 bool IntegerDuals::is_covered_once(Side side) const {
@@ -93,8 +89,8 @@ std::int64_t IntegerDuals::reduced_cost(Column column) const {
 // The least reduced cost of a usable column with this side; kLargest if there is none.
 std::int64_t IntegerDuals::least(Side side) const {
   std::int64_t result = kLargest;
-  for (std::uint32_t i = first_[side]; i < first_[side + std::size_t{1}]; ++i) {
-    if (is_usable_[columns_[i]] != 0) result = std::min(result, reduced_cost(columns_[i]));
+  for (const Column c : columns_[side]) {
+    if (is_usable_[c] != 0) result = std::min(result, reduced_cost(c));
   }
   return result;
 }

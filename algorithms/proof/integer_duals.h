@@ -1,9 +1,10 @@
-// Credits of a cover model in integers: nothing about them is rounded any more.
+// Dual values of a cover model as integers, which sums and comparisons do not round.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "algorithms/common/rows.h"
 #include "algorithms/triangle_lp/cover_model.h"
 
 namespace mwt {
@@ -43,8 +44,7 @@ class IntegerDuals {
   std::vector<std::int64_t> dual_;
   std::vector<EdgeDecision> decisions_;
   std::vector<std::uint8_t> is_usable_;  // by column: no decision excludes it
-  std::vector<std::uint32_t> first_;     // columns with a side: columns_[first_[side]] ..
-  std::vector<Column> columns_;
+  Rows<Column> columns_;                 // by side
 };
 
 }  // namespace mwt

@@ -10,9 +10,6 @@ namespace mwt {
 
 namespace {
 
-// What no polygon with an optimum costs; sums of three fit easily.
-constexpr std::int64_t kNever = std::int64_t{1} << 58;
-
 // The longest diagonal is to have so many bits in front of the point, but not more than the most.
 constexpr int kUsualBits = 46, kMaxBits = 56;
 

@@ -1,4 +1,4 @@
-// Dual values of a polygon's dynamic program, in integers: what proves its optimum to somebody else.
+// Dual values of a polygon's dynamic program, in integers: the verifier checks them.
 #pragma once
 
 #include <array>
@@ -20,6 +20,9 @@ namespace mwt {
 /// Makes regions of polygons one after the other in the same memory. Not for concurrent use: one object per thread.
 class PolygonDuals {
  public:
+  /// No polygon with an optimum costs so many units; sums of three fit easily.
+  static constexpr std::int64_t kNever = std::int64_t{1} << 58;
+
   /// The region of the weakly simple polygon `corners`, which lies to its left, and of its `diagonals`, by positions in
   /// `corners`, first < second, ascending. Its dual values prove the length of the lightest triangulation by these
   /// diagonals, less than 1e-12 of it lost to rounding; nothing (0) if there is none.
@@ -28,8 +31,8 @@ class PolygonDuals {
   /// of a diagonal from its later to its earlier end gets what the polygon on that side costs at least, with half the
   /// diagonal, and the other side the negative of that; the last side of the polygon gets the optimum.
   ///
-  /// With a unit given, that is taken, and what costs 2^58 units or more, or has no triangulation, is proved to cost at
-  /// least 2^58 units.
+  /// With a unit given, that is taken, and what costs kNever units or more, or has no triangulation, is proved to cost
+  /// at least kNever.
   ///
   /// Time as the program itself: the sum over the diagonals of the diagonals at one of their ends.
   [[nodiscard]] DualRegion solve(Points points, std::span<const Index> corners,

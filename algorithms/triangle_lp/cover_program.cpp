@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace mwt {
 
@@ -25,6 +27,22 @@ double scale_for(double worst) {
 bool is_forward(Side side) { return side == forward_side(edge_of(side)); }
 
 }  // namespace
+
+std::vector<std::uint32_t> promising_columns(const CoverModel& model, const CoverDuals& duals,
+                                             std::span<const Triangle> known, std::size_t per_triangle) {
+  const std::set<Triangle> known_triangles(known.begin(), known.end());
+  std::vector<std::uint32_t> columns;
+  std::vector<std::pair<double, std::uint32_t>> ranked;
+  for (std::uint32_t c = 0; c < model.columns.size(); ++c) {
+    const CoverModel::Column& column = model.columns[c];
+    if (known_triangles.contains(column.triangle)) columns.push_back(c);
+    ranked.push_back({reduced_cost(model, duals, column) / model.cost(column), c});
+  }
+  const auto wanted = std::min(std::max(kFewColumns, per_triangle * model.triangle_count), ranked.size());
+  std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
+  for (std::size_t i = 0; i < wanted; ++i) columns.push_back(ranked[i].second);
+  return columns;
+}
 
 CoverProgram::CoverProgram(const CoverModel& model, CoverDuals duals, std::span<const std::uint32_t> first_columns,
                            const Deadline& deadline)

@@ -13,6 +13,15 @@
 
 namespace mwt {
 
+/// So few columns need no selection.
+inline constexpr std::size_t kFewColumns = 500;
+
+/// Columns to begin with: those of a known cover, if there is one, and `per_triangle` times as many as a cover has
+/// triangles, but kFewColumns at least: those whose reduced cost is the smallest part of their cost. Relative, or a
+/// dense cluster's triangles would leave no place to others. A column may come twice.
+[[nodiscard]] std::vector<std::uint32_t> promising_columns(const CoverModel& model, const CoverDuals& duals,
+                                                           std::span<const Triangle> known, std::size_t per_triangle);
+
 /// The relaxation x >= 0 of a cover model, restricted to some columns at first, with decisions on edges for branching.
 ///
 /// Besides the triangles there is the empty cover, a variable for covering nothing: it makes every

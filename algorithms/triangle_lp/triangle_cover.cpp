@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include "algorithms/triangle_lp/cover_balance.h"
@@ -20,8 +19,6 @@ namespace {
 // A branch whose bound is this near to the best cover, relatively, is pruned: the interval stays well within
 // kProvedRelativeWidth.
 constexpr double kPruningGap = 2e-13;
-// So few columns need no selection.
-constexpr std::size_t kFew = 500;
 
 Interval total_length(Points points, const std::vector<Edge>& edges) {
   LengthSum sum;
@@ -51,7 +48,7 @@ class CoverSearch {
         total_length(problem_.points, undirected_edges({problem_.boundary.begin(), problem_.boundary.end()})).lower;
     reduce();
     if (lower_ < enough() && !past_deadline()) {
-      program_.emplace(model_, duals_, promising_columns(10), problem_.deadline);
+      program_.emplace(model_, duals_, promising_columns(model_, duals_, best_.triangles, 10), problem_.deadline);
       lower_ = explore(lower_);
       best_.programs += program_->programs();
     }
@@ -111,7 +108,7 @@ class CoverSearch {
       const std::size_t before = model_.columns.size();
       balance_duals(model_, duals_, problem_.deadline);
       lower_ = std::max(lower_, price(model_, duals_).lower);
-      if (before <= kFew) return;
+      if (before <= kFewColumns) return;
       find_restricted_covers();
       drop_useless_columns();
       shrinking = static_cast<double>(model_.columns.size()) < kWorthwhile * static_cast<double>(before);
@@ -122,7 +119,8 @@ class CoverSearch {
   void find_restricted_covers() {
     constexpr double kNearly = 1e-4;  // a gap that leaves so few columns that the whole program is solved soon
     for (std::size_t per_triangle = 10; per_triangle <= 80 && !past_deadline(); per_triangle *= 2) {
-      CoverProgram restricted(model_, duals_, promising_columns(per_triangle), problem_.deadline);
+      CoverProgram restricted(model_, duals_, promising_columns(model_, duals_, best_.triangles, per_triangle),
+                              problem_.deadline);
       lower_ = std::max(lower_, restricted.solve(enough(), 1));
       best_.programs += restricted.programs();
       if (!restricted.solved()) return;
@@ -138,23 +136,6 @@ class CoverSearch {
     std::erase_if(model_.columns, [&](const CoverModel::Column& column) {
       return min_reduced_cost(model_, duals_, column) >= enough_reduced_cost;
     });
-  }
-
-  // Columns for a restricted program: the best known cover and those whose reduced cost is the smallest part of their
-  // cost. Relative, or a dense cluster's triangles would leave no place to others.
-  [[nodiscard]] std::vector<std::uint32_t> promising_columns(std::size_t per_triangle) const {
-    const std::set<Triangle> known(best_.triangles.begin(), best_.triangles.end());
-    std::vector<std::uint32_t> columns;
-    std::vector<std::pair<double, std::uint32_t>> ranked;
-    for (std::uint32_t c = 0; c < model_.columns.size(); ++c) {
-      const CoverModel::Column& column = model_.columns[c];
-      if (known.contains(column.triangle)) columns.push_back(c);
-      ranked.push_back({reduced_cost(model_, duals_, column) / model_.cost(column), c});
-    }
-    const auto wanted = std::min(std::max(kFew, per_triangle * model_.triangle_count), ranked.size());
-    std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(wanted), ranked.end());
-    for (std::size_t i = 0; i < wanted; ++i) columns.push_back(ranked[i].second);
-    return columns;
   }
 
   // The lower bound of all covers that obey the decisions taken; `known` is one.

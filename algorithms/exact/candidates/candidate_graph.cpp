@@ -26,4 +26,14 @@ CandidateGraph make_candidate_graph(Points points, std::span<const Edge> edges, 
   return {points, std::move(stars.first), std::move(stars.values), std::move(marks)};
 }
 
+std::vector<Edge> edges_marked(const CandidateGraph& graph, std::uint8_t certain) {
+  std::vector<Edge> edges;
+  for (Index v = 0; v < graph.points.size(); ++v) {
+    for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
+      if (v < graph.target[h] && graph.certain[h] == certain) edges.push_back({v, graph.target[h]});
+    }
+  }
+  return edges;
+}
+
 }  // namespace mwt

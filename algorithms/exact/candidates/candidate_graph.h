@@ -35,4 +35,7 @@ struct CandidateGraph {
 [[nodiscard]] CandidateGraph make_candidate_graph(Points points, std::span<const Edge> edges,
                                                   std::span<const Edge> certain);
 
+/// The edges of the graph that are certain (1) or not (0): a < b, those of one vertex a in the order of its star.
+[[nodiscard]] std::vector<Edge> edges_marked(const CandidateGraph& graph, std::uint8_t certain);
+
 }  // namespace mwt

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "algorithms/exact/candidates/by_direction.h"
+#include "algorithms/exact/candidates/neighbours.h"
 #include "algorithms/exact/search_stopped.h"
 #include "geometry/predicates.h"
 #include "geometry/triangulation.h"
@@ -154,32 +155,10 @@ class Marking {
       check_deadline();
       const bool is_crossed = std::any_of(order.begin(), order.end(), [&](Place y) {
         if (y == t) return false;
-        if (places[y] == kNoPlace) places[y] = place_of(s, star[y]);
-        return is_crossed_from(star[y], places[y], s, star[t]);
+        if (places[y] == kNoPlace) places[y] = place_in_star(graph_, star[y], s);
+        return is_crossed_from(graph_, star[y], places[y], s, star[t], [&](Index w) { return has_edge(s, w); });
       });
       if (!is_crossed) graph_.certain[graph_.first[s] + t] = 1;
-    }
-  }
-
-  // Whether an edge from y, a neighbour of s, to another neighbour of s crosses st. Seen from y it leaves between s and
-  // t: of a short edge st these are few. `place`: of s in the star of y.
-  bool is_crossed_from(Index y, Place place, Index s, Index t) const {
-    const Points points = graph_.points;
-    const int turn = orientation(points[y], points[s], points[t]);
-    if (turn == 0) return false;
-    const auto star = graph_.star(y);
-    const auto degree = static_cast<Place>(star.size());
-    for (;;) {
-      if (turn > 0) {
-        place = place + 1 < degree ? place + 1 : 0;
-      } else {
-        place = (place > 0 ? place : degree) - 1;
-      }
-      const Index w = star[place];
-      const bool leaves_between = turn * orientation(points[y], points[s], points[w]) > 0 &&
-                                  turn * orientation(points[y], points[w], points[t]) > 0;
-      if (!leaves_between) return false;
-      if (turn * orientation(points[s], points[t], points[w]) < 0 && has_edge(s, w)) return true;
     }
   }
 
@@ -224,17 +203,8 @@ class Marking {
     for (std::uint32_t i = graph_.first[t]; i < graph_.first[t + std::size_t{1}]; ++i) {
       const Index s = graph_.target[i];
       if (s > t) continue;
-      graph_.certain[i] = graph_.certain[graph_.first[s] + place_of(t, s)];
+      graph_.certain[i] = graph_.certain[graph_.first[s] + place_in_star(graph_, s, t)];
     }
-  }
-
-  // Of neighbour t in the star of s.
-  Place place_of(Index t, Index s) const {
-    const auto star = graph_.star(s);
-    const auto found = star.size() <= kLargeStar
-                           ? std::find(star.begin(), star.end(), t)
-                           : std::lower_bound(star.begin(), star.end(), t, ByDirection(graph_.points, s));
-    return static_cast<Place>(found - star.begin());
   }
 
   CandidateGraph graph_;

@@ -205,8 +205,8 @@ struct VectorStars {
 template <class Stars>
 class Deletion {
  public:
-  Deletion(StarTable& table, Points points, const HullEdges& hull, std::vector<Edge>* deleted = nullptr,
-           std::uint32_t max_examined = Star::kMaxExamined)
+  Deletion(StarTable& table, Points points, const HullEdges& hull, std::vector<Edge>* deleted,
+           std::uint32_t max_examined)
       : stars_(table.stars), points_(points), hull_(hull), deleted_(deleted), max_examined_(max_examined) {}
 
   LmtCounters run(std::span<const CandidatePair> edges, const Context& context) {
@@ -344,24 +344,18 @@ class Deletion {
 
 LmtCounters DeleteEdgesWithoutCertificate(StarTable& table, Points points, const HullEdges& hull,
                                           std::span<const CandidatePair> edges, const Context& context,
-                                          std::vector<Edge>* deleted) {
-  return Deletion<VectorStars>(table, points, hull, deleted).run(edges, context);
+                                          std::vector<Edge>* deleted, std::uint32_t max_examined) {
+  return Deletion<VectorStars>(table, points, hull, deleted, max_examined).run(edges, context);
 }
 
 LmtCounters DeleteEdgesWithoutCertificatePlainly(StarTable& table, Points points, const HullEdges& hull,
                                                  std::span<const CandidatePair> edges, const Context& context) {
-  return Deletion<ScalarStars<MachineRounding>>(table, points, hull).run(edges, context);
-}
-
-LmtCounters DeleteMoreEdgesWithoutCertificate(StarTable& table, Points points, const HullEdges& hull,
-                                              std::span<const CandidatePair> edges, const Context& context,
-                                              std::vector<Edge>* deleted) {
-  return Deletion<VectorStars>(table, points, hull, deleted, Star::kMaxExaminedAtLast).run(edges, context);
+  return Deletion<ScalarStars<MachineRounding>>(table, points, hull, nullptr, Star::kMaxExamined).run(edges, context);
 }
 
 LmtCounters DeleteEdges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,
                         const Context& context, std::vector<Edge>* deleted) {
-  return Deletion<VectorStars>(table, points, hull, deleted).run_without(edges, context);
+  return Deletion<VectorStars>(table, points, hull, deleted, Star::kMaxExamined).run_without(edges, context);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -373,19 +367,13 @@ namespace mwt {
 
 HWY_EXPORT(DeleteEdgesWithoutCertificate);
 HWY_EXPORT(DeleteEdges);
-HWY_EXPORT(DeleteMoreEdgesWithoutCertificate);
 HWY_EXPORT(DeleteEdgesWithoutCertificatePlainly);
 
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
                                              std::span<const CandidatePair> edges, const Context& context,
-                                             std::vector<Edge>* deleted) {
-  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context, deleted);
-}
-
-LmtCounters delete_more_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                                  std::span<const CandidatePair> edges, const Context& context,
-                                                  std::vector<Edge>* deleted) {
-  return HWY_DYNAMIC_DISPATCH(DeleteMoreEdgesWithoutCertificate)(table, points, hull, edges, context, deleted);
+                                             std::vector<Edge>* deleted, std::uint32_t max_examined) {
+  return HWY_DYNAMIC_DISPATCH(DeleteEdgesWithoutCertificate)(table, points, hull, edges, context, deleted,
+                                                             max_examined);
 }
 
 LmtCounters delete_edges(StarTable& table, Points points, const HullEdges& hull, std::span<const CandidatePair> edges,

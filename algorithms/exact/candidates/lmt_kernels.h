@@ -39,20 +39,15 @@ struct HullEdges {
 ///
 /// All decisions are made in floats with error margins; what is uncertain, or not a number (Star::component), keeps the
 /// edge. After the context's deadline the remaining edges are kept unexamined. The edges deleted are appended to
-/// `deleted`, if there is one, in their order.
+/// `deleted`, if there is one, in their order. Edges between two stars of more than `max_examined` edges are kept, too.
 LmtCounters delete_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
                                              std::span<const CandidatePair> edges, const Context& context,
-                                             std::vector<Edge>* deleted = nullptr);
+                                             std::vector<Edge>* deleted = nullptr,
+                                             std::uint32_t max_examined = Star::kMaxExamined);
 
 /// For tests: the same by the loops of lmt_scalar.h, with the rounding of the instruction set in use.
 LmtCounters delete_edges_without_certificate_plainly(StarTable& table, Points points, const HullEdges& hull,
                                                      std::span<const CandidatePair> edges, const Context& context);
-
-/// The same as delete_edges_without_certificate() for edges between stars of up to Star::kMaxExaminedAtLast, not
-/// kMaxExamined.
-LmtCounters delete_more_edges_without_certificate(StarTable& table, Points points, const HullEdges& hull,
-                                                  std::span<const CandidatePair> edges, const Context& context,
-                                                  std::vector<Edge>* deleted = nullptr);
 
 /// Deletes `edges` from the stars, and then every edge that was examined before and has no certificate any more; the
 /// latter are appended to `deleted`, if there is one, in their order. Each of them has none without all of `edges`.

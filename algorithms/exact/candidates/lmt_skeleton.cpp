@@ -196,7 +196,7 @@ std::uint64_t examine_between_large_stars(StarTable& table, const KdOrder& order
   const auto sorted = longest_first(order.points, distance_scale(order), edges);
   std::vector<Edge> deleted;
   const LmtCounters counters =
-      delete_more_edges_without_certificate(table, order.points, hull, sorted, context, &deleted);
+      delete_edges_without_certificate(table, order.points, hull, sorted, context, &deleted, Star::kMaxExaminedAtLast);
   if (context.proof != nullptr)
     context.proof->edges.push_back({EdgeReason::not_locally_minimal, std::move(deleted), {}});
   if (context.deadline_passed()) throw SearchStopped(StopReason::deadline, "the deadline passed during the LMT stage");

@@ -14,17 +14,6 @@ namespace mwt {
 
 namespace {
 
-// With these marks, a < b, ascending.
-std::vector<Edge> edges_marked(const CandidateGraph& graph, std::uint8_t certain) {
-  std::vector<Edge> edges;
-  for (Index v = 0; v < graph.points.size(); ++v) {
-    for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
-      if (v < graph.target[h] && graph.certain[h] == certain) edges.push_back({v, graph.target[h]});
-    }
-  }
-  return edges;
-}
-
 std::vector<Edge> difference(const std::vector<Edge>& all, std::vector<Edge> without) {
   std::sort(without.begin(), without.end());
   std::vector<Edge> rest;

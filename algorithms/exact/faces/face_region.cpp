@@ -9,6 +9,7 @@
 #include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/faces/length_sum_comparison.h"
 #include "geometry/delaunay.h"
+#include "geometry/undirected_edges.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -95,6 +96,20 @@ Index FaceRegion::place_of(Index vertex) const {
   return static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
 }
 
+std::vector<Edge> FaceRegion::in_places(const std::vector<Edge>& edges) const {
+  std::vector<Edge> places;
+  places.reserve(edges.size());
+  for (const Edge& edge : edges) places.push_back({place_of(edge.a), place_of(edge.b)});
+  return places;
+}
+
+std::vector<Point> FaceRegion::points_among(Points points) const {
+  std::vector<Point> own;
+  own.reserve(vertices.size());
+  for (const Index vertex : vertices) own.push_back(points[vertex]);
+  return own;
+}
+
 FaceRegion make_region(const CandidateGraph& graph, const std::vector<const Walk*>& walks,
                        const std::vector<Index>& isolated) {
   FaceRegion region;
@@ -139,16 +154,10 @@ std::vector<FaceRegion> group_into_regions(const CandidateGraph& graph, const Fa
 }
 
 std::vector<Triangle> fill_region(Points points, const FaceRegion& region) {
-  std::vector<Point> local_points;
-  for (const Index vertex : region.vertices) local_points.push_back(points[vertex]);
-  std::vector<Edge> boundary;
-  std::vector<Edge> constraints;
-  for (const Edge& edge : sorted_boundary(region)) {  // vertices ascend, so that local edges are in order as well
-    boundary.push_back({region.place_of(edge.a), region.place_of(edge.b)});
-    constraints.push_back(make_edge(boundary.back().a, boundary.back().b));
-  }
-  sort_and_remove_duplicates(constraints);
-  const Triangulation filling = constrained_delaunay_triangulation(local_points, constraints);
+  // Vertices ascend, so that edges by places are in order as well.
+  const std::vector<Edge> boundary = region.in_places(sorted_boundary(region));
+  const std::vector<Edge> constraints = undirected_edges(boundary);
+  const Triangulation filling = constrained_delaunay_triangulation(region.points_among(points), constraints);
   const std::vector<std::uint8_t> is_inner = find_inner_triangles(filling, boundary);
   std::vector<Triangle> triangles;
   for (std::size_t t = 0; t < filling.triangles.size(); ++t) {

@@ -20,12 +20,16 @@ struct FaceRegion {
   /// The position of one of the vertices in `vertices`.
   [[nodiscard]] Index place_of(Index vertex) const;
 
+  /// The same edges by the positions of their ends, in their order and direction.
+  [[nodiscard]] std::vector<Edge> in_places(const std::vector<Edge>& edges) const;
+
+  /// The vertices' points, in their order.
+  [[nodiscard]] std::vector<Point> points_among(Points points) const;
+
   /// By Euler's formula, of every triangulation of the face.
   [[nodiscard]] std::size_t triangle_count() const { return boundary.size() + 2 * components - 4; }
   [[nodiscard]] std::size_t diagonal_count() const { return (3 * triangle_count() - boundary.size()) / 2; }
 };
-
-using Walk = std::vector<Corner>;
 
 /// The region of the face with these boundary walks and isolated vertices.
 [[nodiscard]] FaceRegion make_region(const CandidateGraph& graph, const std::vector<const Walk*>& walks,

@@ -34,7 +34,7 @@ Corner FaceWalker::corner_after(Index from, Index to) const {
   }
 }
 
-WalkEnd FaceWalker::walk(Index from, std::uint32_t start, std::size_t limit, std::vector<Corner>& corners) const {
+WalkEnd FaceWalker::walk(Index from, std::uint32_t start, std::size_t limit, Walk& corners) const {
   corners.clear();
   Corner last{from, start, 0};
   do {
@@ -48,8 +48,8 @@ WalkEnd FaceWalker::walk(Index from, std::uint32_t start, std::size_t limit, std
   return WalkEnd::closed;
 }
 
-std::vector<Corner> FaceWalker::corners_of_face(Index from, std::uint32_t start) const {
-  std::vector<Corner> corners;
+Walk FaceWalker::corners_of_face(Index from, std::uint32_t start) const {
+  Walk corners;
   Corner last{from, start, 0};
   do {
     last = corner_after(last.vertex, graph_.target[last.halfedge]);

@@ -19,6 +19,14 @@ struct Corner {
   std::uint32_t candidates = 0;  ///< halfedges inside the sector; they follow `halfedge` in the star
 };
 
+/// The corners around a face or along one component of its boundary, counter-clockwise.
+using Walk = std::vector<Corner>;
+
+/// Whether the walk goes around a triangle without candidates inside.
+[[nodiscard]] inline bool is_triangle(const Walk& walk) {
+  return walk.size() == 3 && walk[0].candidates == 0 && walk[1].candidates == 0 && walk[2].candidates == 0;
+}
+
 /// The target of the corner's candidate number `position`, counter-clockwise from 0.
 [[nodiscard]] inline Index candidate_of(const CandidateGraph& graph, const Corner& corner, std::uint32_t position) {
   const std::uint32_t end = graph.first[corner.vertex + 1];
@@ -46,11 +54,16 @@ class FaceWalker {
 
   /// The corners of the walk along certain halfedge `start` of vertex `from`, the start's own corner last. `corners` is
   /// complete only if the walk closed.
-  WalkEnd walk(Index from, std::uint32_t start, std::size_t limit, std::vector<Corner>& corners) const;
+  WalkEnd walk(Index from, std::uint32_t start, std::size_t limit, Walk& corners) const;
 
   /// All corners of the face left of certain halfedge `start` of vertex `from`, wherever in its walk that is; the
   /// start's own corner last.
-  [[nodiscard]] std::vector<Corner> corners_of_face(Index from, std::uint32_t start) const;
+  [[nodiscard]] Walk corners_of_face(Index from, std::uint32_t start) const;
+
+  /// The same for a certain edge from a to b. O(stars of both ends) more.
+  [[nodiscard]] Walk corners_of_face(const Edge& start) const {
+    return corners_of_face(start.a, corner_towards(start.a, start.b).halfedge);
+  }
 
   /// The corner at `vertex` whose sector contains or begins with the halfedge to `neighbour`; precondition: the
   /// halfedge exists and the vertex has a certain edge. `candidates` is left 0.

@@ -17,7 +17,7 @@ struct Solved {
 // The face of the certain edges to the left of a -> b.
 Solved solve_face(const CandidateGraph& graph, const Edge& start, const Deadline& deadline = {}) {
   const FaceWalker walker(graph);
-  const auto corners = walker.corners_of_face(start.a, walker.corner_towards(start.a, start.b).halfedge);
+  const auto corners = walker.corners_of_face(start);
   Solved solved;
   solved.outcome = PolygonFaceSolver(graph).solve(corners, deadline, solved.found);
   return solved;

@@ -102,8 +102,7 @@ class ChainProgram {
 class AnnulusSolver {
  public:
   AnnulusSolver(Points points, const FaceRegion& region, double limit, const Deadline& deadline)
-      : instance_(points), region_(region), limit_(limit), deadline_(deadline) {
-    for (const Index vertex : region.vertices) points_.push_back(points[vertex]);
+      : instance_(points), region_(region), limit_(limit), deadline_(deadline), points_(region.points_among(points)) {
     if (!are_tiny(points_)) return;
     scale_ = kScale;
     for (Point& p : points_) p = {p.x * kScale, p.y * kScale};

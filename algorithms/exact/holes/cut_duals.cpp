@@ -137,20 +137,13 @@ void CutDuals::file_triangles() {
     slot_[h] = slots++;
     slot_[polygon_.twin[h]] = slots++;
   }
-  first_.assign(slots + std::size_t{1}, 0);
-  for (const Loose& triangle : loose_) {
-    for (const std::uint32_t side : triangle.side) {
-      if (slot_[side] != kNoIndex) ++first_[slot_[side] + std::size_t{1}];
+  filed_ = file_in_rows<std::uint32_t>(slots, [&](const auto& file) {
+    for (std::uint32_t t = 0; t < loose_.size(); ++t) {
+      for (const std::uint32_t side : loose_[t].side) {
+        if (slot_[side] != kNoIndex) file(slot_[side], t);
+      }
     }
-  }
-  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
-  filed_.resize(first_.back());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::uint32_t t = 0; t < loose_.size(); ++t) {
-    for (const std::uint32_t side : loose_[t].side) {
-      if (slot_[side] != kNoIndex) filed_[next[slot_[side]]++] = t;
-    }
-  }
+  });
 }
 
 void CutDuals::list_straddling() {
@@ -181,10 +174,7 @@ double CutDuals::reduced_cost(const Loose& triangle) const {
 
 double CutDuals::min_left_of(std::uint32_t halfedge) const {
   double least = kInfinity;
-  const std::uint32_t slot = slot_[halfedge];
-  for (std::uint32_t i = first_[slot]; i < first_[slot + std::size_t{1}]; ++i) {
-    least = std::min(least, reduced_cost(loose_[filed_[i]]));
-  }
+  for (const std::uint32_t t : triangles_left_of(halfedge)) least = std::min(least, reduced_cost(loose_[t]));
   return least;
 }
 
@@ -237,7 +227,7 @@ void CutDuals::charge(std::size_t cut) {
 
 // Triangles with a negative reduced cost, if any are left, are at most one per directed crossing candidate.
 void CutDuals::update_lower_bound() {
-  std::vector<double> least(first_.empty() ? 0 : first_.size() - 1, 0);
+  std::vector<double> least(filed_.first.size() - 1, 0);
   for (const Loose& triangle : loose_) {
     const double cost = reduced_cost(triangle) - error_;
     if (cost >= 0) continue;
@@ -282,8 +272,7 @@ void CutDuals::drop_dead_triangles() {
     file_triangles();
     list_straddling();
     for (const std::uint32_t h : crossing_) {
-      const std::uint32_t left = slot_[h], right = slot_[polygon_.twin[h]];
-      if (first_[left] == first_[left + std::size_t{1}] || first_[right] == first_[right + std::size_t{1}]) kill(h);
+      if (triangles_left_of(h).empty() || triangles_left_of(polygon_.twin[h]).empty()) kill(h);
     }
   }
 }

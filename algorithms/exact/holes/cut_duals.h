@@ -11,18 +11,19 @@
 // value is the value of the whole, without the cuts' lengths. What is missing comes from two kinds of triangles:
 //   (1) a triangle with a side that crosses a cut ("loose"): the dual values of these sides are balanced until no loose
 //       triangle, or hardly any, has r < 0;
-//   (2) at either end of a cut c, c is in the triangulation, or one triangle there contains its first piece. If all
-//   such
-//       triangles at one end have r >= u, and at the other r >= v, and u + v <= |c|, then u + v may be taken from all
-//       of them and from |c|, which is what r charges for c as a side, and added to the bound. What a triangle has paid
-//       is gone: no triangle pays twice.
+//   (2) at either end of a cut c, c is in the triangulation, or one triangle there contains its first piece. If all of
+//       these triangles at one end have r >= u, and at the other r >= v, and u + v <= |c|, then u + v may be taken from
+//       all of them and from |c|, which is what r charges for c as a side, and added to the bound. What a triangle has
+//       paid is gone: no triangle pays twice.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
+#include "algorithms/common/rows.h"
 #include "algorithms/deadline.h"
 #include "algorithms/exact/holes/cut_polygon.h"
 
@@ -75,6 +76,9 @@ class CutDuals {
   void file_triangles();
   void list_straddling();
   [[nodiscard]] double reduced_cost(const Loose& triangle) const;
+  [[nodiscard]] std::span<const std::uint32_t> triangles_left_of(std::uint32_t halfedge) const {
+    return filed_[slot_[halfedge]];
+  }
   [[nodiscard]] double min_left_of(std::uint32_t halfedge) const;
   [[nodiscard]] double min_at(const CutEnd& end) const;
   double balance_once();
@@ -94,8 +98,7 @@ class CutDuals {
   std::vector<bool> is_alive_;           // by halfedge
   std::vector<std::uint32_t> crossing_;  // alive, each once: the halfedge from the smaller end
   std::vector<Loose> loose_;
-  std::vector<std::uint32_t> first_;  // by crossing halfedge (see slot_): its triangles in filed_
-  std::vector<std::uint32_t> filed_;
+  Rows<std::uint32_t> filed_;                // loose triangles by crossing halfedge (see slot_)
   std::vector<std::uint32_t> slot_;          // by halfedge
   std::vector<std::array<CutEnd, 2>> ends_;  // by cut
   std::vector<std::uint32_t> cut_halfedge_;  // by cut, from its smaller end

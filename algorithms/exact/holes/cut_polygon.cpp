@@ -17,30 +17,16 @@ namespace {
 using Cell = IntervalProgram::Cell;
 using Position = IntervalProgram::Position;
 
-std::vector<Edge> in_places(const FaceRegion& region, const std::vector<Edge>& edges) {
-  std::vector<Edge> places;
-  places.reserve(edges.size());
-  for (const Edge& edge : edges) places.push_back({region.place_of(edge.a), region.place_of(edge.b)});
-  return places;
-}
-
-std::vector<Point> points_of(Points points, const FaceRegion& region) {
-  std::vector<Point> own;
-  own.reserve(region.vertices.size());
-  for (const Index vertex : region.vertices) own.push_back(points[vertex]);
-  return own;
-}
-
 class Cutter {
  public:
   Cutter(Points points, const FaceRegion& region, std::vector<Edge> cuts, const Deadline& deadline)
-      : boundary_(in_places(region, region.boundary)), deadline_(deadline) {
+      : boundary_(region.in_places(region.boundary)), deadline_(deadline) {
     std::sort(boundary_.begin(), boundary_.end());
     std::sort(cuts.begin(), cuts.end());
-    polygon_.points = points_of(points, region);
+    polygon_.points = region.points_among(points);
     polygon_.cuts = std::move(cuts);
     polygon_.program = IntervalProgram(polygon_.points);
-    make_graph(in_places(region, region.candidates));
+    make_graph(region.in_places(region.candidates));
   }
 
   std::optional<CutPolygon> run() {
@@ -89,8 +75,7 @@ class Cutter {
   // From an edge of the region's boundary, which becomes the closing side. Whether that is the whole boundary.
   bool walk() {
     const FaceWalker walker(polygon_.graph);
-    const Edge start = boundary_.front();
-    corners_ = walker.corners_of_face(start.a, walker.corner_towards(start.a, start.b).halfedge);
+    corners_ = walker.corners_of_face(boundary_.front());
     position_.assign(polygon_.graph.target.size(), kNoIndex);
     for (Position i = 0; i < corners_.size(); ++i) {
       std::uint32_t h = corners_[i].halfedge;
@@ -174,18 +159,18 @@ class Cutter {
   std::vector<Edge> boundary_;  // directed, sorted
   const Deadline& deadline_;
   CutPolygon polygon_;
-  std::vector<Corner> corners_;
+  Walk corners_;
   std::vector<Position> position_;  // by halfedge
 };
 
 }  // namespace
 
 std::vector<Edge> shortest_cuts(Points points, const FaceRegion& region) {
-  const std::vector<Point> own = points_of(points, region);
+  const std::vector<Point> own = region.points_among(points);
   DisjointSets components(own.size());
-  for (const Edge& edge : in_places(region, region.boundary)) components.unite(edge.a, edge.b);
+  for (const Edge& edge : region.in_places(region.boundary)) components.unite(edge.a, edge.b);
   std::vector<Edge> joining;
-  for (const Edge& edge : in_places(region, region.candidates)) {
+  for (const Edge& edge : region.in_places(region.candidates)) {
     if (components.find(edge.a) != components.find(edge.b)) joining.push_back(edge);
   }
   std::stable_sort(joining.begin(), joining.end(),

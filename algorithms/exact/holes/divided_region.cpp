@@ -65,11 +65,7 @@ class DividedRegion {
 
   // Whether the deadline allowed it. No triangulation in question contains them.
   bool remove_crossing_candidates() {
-    std::vector<Edge> uncertain;
-    for_each_halfedge([&](Index v, std::uint32_t h) {
-      if (graph_.certain[h] == 0 && v < graph_.target[h]) uncertain.push_back({v, graph_.target[h]});
-    });
-    const auto crossing = find_crossing_candidates(graph_, uncertain, search_.deadline);
+    const auto crossing = find_crossing_candidates(graph_, edges_marked(graph_, 0), search_.deadline);
     if (crossing) remove_edges(graph_, *crossing);
     return crossing.has_value();
   }
@@ -92,9 +88,7 @@ class DividedRegion {
   }
 
   void solve_walk(const Walk& walk) {
-    const bool is_triangle =
-        walk.size() == 3 && walk[0].candidates == 0 && walk[1].candidates == 0 && walk[2].candidates == 0;
-    if (is_triangle) {
+    if (is_triangle(walk)) {
       result_.triangles.push_back({walk[0].vertex, walk[1].vertex, walk[2].vertex});
       return;
     }

@@ -24,7 +24,7 @@ namespace mwt {
 
 namespace {
 
-// Regions of more empty triangles than this are branched on before GLPK gets to see them.
+// Regions with more empty triangles are branched on first; the linear program comes later.
 constexpr std::size_t kMaxProgramTriangles = 20'000;
 
 // Fewer candidates by this factor are worth cutting the region open again.
@@ -63,8 +63,7 @@ class RegionSolver {
     const CandidateGraph graph =
         make_candidate_graph(local.points, undirected_edges(local.sides), undirected_edges(local.boundary));
     const FaceWalker walker(graph);
-    const Edge start = local.boundary.front();
-    const Walk walk = walker.corners_of_face(start.a, walker.corner_towards(start.a, start.b).halfedge);
+    const Walk walk = walker.corners_of_face(local.boundary.front());
     RegionSolution result;
     if (walk.size() == 3 && region_.triangle_count() == 1) {
       result.triangles = local.in_instance({{walk[0].vertex, walk[1].vertex, walk[2].vertex}});
@@ -157,13 +156,12 @@ class RegionSolver {
 
   // Along the certain ones and those that no other candidate crosses.
   std::optional<RegionSolution> divide(const ReducedRegion& reduced, const RegionSearch& search) {
-    std::vector<Point> own;
-    for (const Index vertex : region_.vertices) own.push_back(points_[vertex]);
-    const std::vector<Edge> boundary = in_places(region_.boundary);
+    const std::vector<Point> own = region_.points_among(points_);
+    const std::vector<Edge> boundary = region_.in_places(region_.boundary);
     std::vector<Edge> certain = undirected_edges(boundary);
-    std::vector<Edge> edges = in_places(reduced.candidates);
+    std::vector<Edge> edges = region_.in_places(reduced.candidates);
     edges.insert(edges.end(), certain.begin(), certain.end());
-    for (const Edge& edge : in_places(reduced.certain)) certain.push_back(edge);
+    for (const Edge& edge : region_.in_places(reduced.certain)) certain.push_back(edge);
     std::sort(certain.begin(), certain.end());
     CandidateGraph graph = make_candidate_graph(own, undirected_edges(std::move(edges)), certain);
     if (mark_uncrossed_edges(graph) == 0 && reduced.certain.empty()) return {};
@@ -173,12 +171,6 @@ class RegionSolver {
       for (Index& corner : triangle) corner = region_.vertices[corner];
     }
     return solution;
-  }
-
-  [[nodiscard]] std::vector<Edge> in_places(const std::vector<Edge>& edges) const {
-    std::vector<Edge> places;
-    for (const Edge& edge : edges) places.push_back({region_.place_of(edge.a), region_.place_of(edge.b)});
-    return places;
   }
 
   // Where they are few: divided along the sides that all consistent triangles leave uncrossed, or by a linear program.

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <numeric>
+#include <span>
 #include <vector>
 
+#include "algorithms/common/rows.h"
 #include "geometry/numbers/double_double.h"
 #include "geometry/numbers/interval.h"
 #include "geometry/predicates.h"
@@ -18,14 +19,18 @@ namespace {
 // All vertices by their position in the region's list.
 class SideBound {
  public:
-  SideBound(Points points, const FaceRegion& region) {
-    for (const Index vertex : region.vertices) points_.push_back(points[vertex]);
-    const auto in_places = [&](const Edge& edge) { return Edge{region.place_of(edge.a), region.place_of(edge.b)}; };
-    for (const Edge& edge : region.boundary) boundary_.push_back(in_places(edge));
+  SideBound(Points points, const FaceRegion& region)
+      : points_(region.points_among(points)), boundary_(region.in_places(region.boundary)) {
     std::sort(boundary_.begin(), boundary_.end());
-    std::vector<Edge> edges = undirected_edges(boundary_);
-    for (const Edge& edge : region.candidates) edges.push_back(in_places(edge));
-    file_neighbours(edges);
+    std::vector<Edge> edges = region.in_places(region.candidates);
+    for (const Edge& edge : undirected_edges(boundary_)) edges.push_back(edge);
+    neighbours_ = file_in_rows<Index>(points_.size(), [&](const auto& file) {
+      for (const Edge& edge : edges) {
+        file(edge.a, edge.b);
+        file(edge.b, edge.a);
+      }
+    });
+    for (std::size_t v = 0; v < points_.size(); ++v) std::sort(neighbours_[v].begin(), neighbours_[v].end());
   }
 
   [[nodiscard]] double run() const {
@@ -38,29 +43,6 @@ class SideBound {
   }
 
  private:
-  void file_neighbours(const std::vector<Edge>& edges) {
-    first_.assign(points_.size() + 1, 0);
-    for (const Edge& edge : edges) {
-      ++first_[edge.a + std::size_t{1}];
-      ++first_[edge.b + std::size_t{1}];
-    }
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    neighbour_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (const Edge& edge : edges) {
-      neighbour_[next[edge.a]++] = edge.b;
-      neighbour_[next[edge.b]++] = edge.a;
-    }
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-      std::sort(neighbour_.begin() + static_cast<std::ptrdiff_t>(first_[v]),
-                neighbour_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]));
-    }
-  }
-
-  [[nodiscard]] std::span<const Index> neighbours(Index v) const {
-    return std::span(neighbour_).subspan(first_[v], first_[v + std::size_t{1}] - first_[v]);
-  }
-
   [[nodiscard]] bool is_boundary(const Edge& directed) const {
     return std::binary_search(boundary_.begin(), boundary_.end(), directed);
   }
@@ -68,7 +50,7 @@ class SideBound {
   // Of w(t) / k(t) over the triangles left of the side; infinite if there is none.
   [[nodiscard]] double min_share(const Edge& side) const {
     double least = std::numeric_limits<double>::infinity();
-    const auto a = neighbours(side.a), b = neighbours(side.b);
+    const std::span<const Index> a = neighbours_[side.a], b = neighbours_[side.b];
     for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
       if (a[i] == b[j]) {
         if (orientation(points_[side.a], points_[side.b], points_[a[i]]) > 0) {
@@ -101,8 +83,7 @@ class SideBound {
 
   std::vector<Point> points_;
   std::vector<Edge> boundary_;  // directed, ascending
-  std::vector<std::size_t> first_;
-  std::vector<Index> neighbour_;
+  Rows<Index> neighbours_;      // of each point, ascending
 };
 
 }  // namespace

@@ -18,12 +18,10 @@ using Place = Strip::Place;
 
 class StripBuilder {
  public:
-  StripBuilder(Points points, const FaceRegion& region) : points_(points) {
-    for (const Edge& edge : region.boundary) boundary_.push_back({region.place_of(edge.a), region.place_of(edge.b)});
-    boundary_ = undirected_edges(std::move(boundary_));
-    for (const Edge& edge : region.candidates)
-      candidates_.push_back({region.place_of(edge.a), region.place_of(edge.b)});
-  }
+  StripBuilder(Points points, const FaceRegion& region)
+      : points_(points),
+        boundary_(undirected_edges(region.in_places(region.boundary))),
+        candidates_(region.in_places(region.candidates)) {}
 
   std::optional<Strip> run() {
     if (!choose_cut()) return {};
@@ -61,7 +59,7 @@ class StripBuilder {
     std::sort(certain.begin(), certain.end());
     graph_ = make_candidate_graph(points_, undirected_edges(std::move(edges)), certain);
     walker_.emplace(graph_);
-    corners_ = walker_->corners_of_face(cut_.b, walker_->corner_towards(cut_.b, cut_.a).halfedge);
+    corners_ = walker_->corners_of_face(Edge{cut_.b, cut_.a});
     for (std::size_t i = 0; i < corners_.size(); ++i) position_.emplace(corners_[i].halfedge, static_cast<Place>(i));
   }
 
@@ -152,7 +150,7 @@ class StripBuilder {
   Edge cut_;                      // from the outer component to the inner one
   CandidateGraph graph_;
   std::optional<FaceWalker> walker_;
-  std::vector<Corner> corners_;
+  Walk corners_;
   std::unordered_map<std::uint32_t, Place> position_;  // of the corner that begins with this halfedge
   Place outer_ = 0;
   Place inner_ = 0;
