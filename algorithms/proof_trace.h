@@ -24,7 +24,8 @@ enum class EdgeReason : std::uint8_t {
 struct EdgeConclusions {
   EdgeReason reason = EdgeReason::uncrossed;
   std::vector<Edge> edges;
-  std::vector<Edge> crossed;  ///< crosses_certain: for each edge a certain one that it crosses
+  std::vector<Edge> crossed;  ///< crosses_certain: for each edge a certain one that it crosses, or one from a point
+                              ///< to itself if the edge passes through a point
 };
 
 /// A node of a tree of decisions on a region's open edges, in preorder: a leaf with dual values, or an edge followed by

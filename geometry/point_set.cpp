@@ -70,20 +70,24 @@ PointSet make_point_set(const std::vector<Point>& input, const std::string& sour
   return set;
 }
 
-std::string instance_id(Points points) {
+std::array<unsigned char, 32> content_hash(Points points) {
   std::vector<unsigned char> bytes;
   bytes.reserve(16 * points.size());
   for (const Point& p : points) {
     append_little_endian(bytes, p.x);
     append_little_endian(bytes, p.y);
   }
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned int size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, EVP_sha256(), nullptr) != 1) {
-    throw std::runtime_error("instance_id: SHA-256 is not available");
+  std::array<unsigned char, 32> hash{};
+  if (EVP_Digest(bytes.data(), bytes.size(), hash.data(), nullptr, EVP_sha256(), nullptr) != 1) {
+    throw std::runtime_error("SHA-256 is not available");
   }
+  return hash;
+}
+
+std::string instance_id(Points points) {
+  const std::array<unsigned char, 32> hash = content_hash(points);
   std::string text;
-  for (int i = 0; i < 16; ++i) fmt::format_to(std::back_inserter(text), "{:02x}", digest[i]);
+  for (int i = 0; i < 16; ++i) fmt::format_to(std::back_inserter(text), "{:02x}", hash[i]);
   return text;
 }
 

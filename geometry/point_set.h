@@ -1,6 +1,7 @@
 // An instance: the distinct points that algorithms see, and how they relate to what the user gave.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,11 @@ struct PointSet {
 /// lengths would overflow). O(n log n).
 [[nodiscard]] PointSet make_point_set(const std::vector<Point>& input, const std::string& source);
 
-/// Content hash of the distinct points in input order: the first 128 bits of the SHA-256 of their little-endian
-/// coordinates x0 y0 x1 y1 ..., as 32 hexadecimal digits. The same on every platform.
+/// The SHA-256 of the distinct points in input order: of their little-endian coordinates x0 y0 x1 y1 ... The same on
+/// every platform.
+[[nodiscard]] std::array<unsigned char, 32> content_hash(Points points);
+
+/// The first 128 bits of the content hash, as 32 hexadecimal digits.
 [[nodiscard]] std::string instance_id(Points points);
 
 /// Corners of a triangulation of set.points as positions in the input, and back.

@@ -21,6 +21,7 @@ enum class Outcome { verified, refused, no_proof };
 struct Trial {
   Outcome outcome = Outcome::refused;
   Verdict verdict;
+  std::string message;  // of a refusal
 };
 
 // What the verifier says of these bytes. Anything but a verdict, Refused or InputError fails the test that asks.
@@ -29,11 +30,11 @@ class Court {
   Trial judge(const std::vector<Point>& points, const std::vector<std::uint8_t>& file) const {
     write_file(folder_.path("proof"), file);
     try {
-      return {Outcome::verified, verify(points, folder_.path("proof"))};
-    } catch (const Refused&) {
-      return {};
+      return {Outcome::verified, verify(points, folder_.path("proof")), ""};
+    } catch (const Refused& refused) {
+      return {Outcome::refused, {}, refused.what()};
     } catch (const InputError&) {
-      return {Outcome::no_proof, {}};
+      return {Outcome::no_proof, {}, ""};
     }
   }
   Trial judge(const std::vector<Point>& points, const Proof& proof) const {
@@ -259,6 +260,28 @@ TEST(PlantedErrors, BombsAreRefused) {
   std::vector<std::uint8_t> huge = plain;
   huge.insert(huge.end(), region.bytes().begin(), region.bytes().end());
   EXPECT_EQ(court.judge(points, file_of(huge)).outcome, Outcome::refused);
+}
+
+// What a file of kilobytes may make the verifier store must depend on the number of points, not on how long its lists
+// of zeros are.
+TEST(PlantedErrors, RegionsHaveNoMorePartsThanPointsAllow) {
+  const Court court;
+  const std::vector<Point> points = random_points(10, 1);
+  std::vector<std::uint8_t> plain = encode(*NaiveProver(points).prove());
+  plain.pop_back();  // without its end
+  const auto complaint = [&](std::initializer_list<std::uint64_t> numbers) {
+    Encoder region;
+    for (const std::uint64_t number : numbers) region.number(number);
+    std::vector<std::uint8_t> body = plain;
+    body.insert(body.end(), region.bytes().begin(), region.bytes().end());
+    body.resize(body.size() + 100'000);
+    return court.judge(points, file_of(body)).message;
+  };
+  constexpr std::uint64_t kMany = std::uint64_t{1} << 40;
+  EXPECT_NE(complaint({5, 0, 0}).find("a region has no boundary"), std::string::npos);
+  EXPECT_NE(complaint({5, 0, 1, kMany}).find("too many places"), std::string::npos);
+  EXPECT_NE(complaint({5, 0, 1, 2, 0, 2, kMany}).find("too many places"), std::string::npos);
+  EXPECT_NE(complaint({5, 0, 1, 3, 0, 2, 2, 0, kMany}).find("more edges begin at a place"), std::string::npos);
 }
 
 TEST(PlantedErrors, ProofsOfOtherPointsAreRefused) {

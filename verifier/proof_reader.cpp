@@ -53,7 +53,7 @@ ProofReader::ProofReader(const std::string& path)
 bool ProofReader::refill() {
   next_ = end_ = 0;
   while (end_ == 0 && !is_complete_) {
-    if (compressed_next_ == compressed_end_) {
+    if (compressed_next_ == compressed_end_ && !is_pending_) {
       compressed_next_ = 0;
       compressed_end_ = std::fread(compressed_.data(), 1, compressed_.size(), file_.get());
       if (compressed_end_ == 0) throw Refused("the proof file ends too early");
@@ -64,6 +64,7 @@ bool ProofReader::refill() {
     const std::size_t rest = ZSTD_decompressStream(decompressor_->stream, &out, &in);
     if (ZSTD_isError(rest) != 0) throw Refused(std::string("the proof file is damaged: ") + ZSTD_getErrorName(rest));
     is_complete_ = rest == 0;
+    is_pending_ = out.pos == out.size;
     compressed_next_ = in.pos;
     end_ = out.pos;
     plain_total_ += out.pos;

@@ -49,6 +49,7 @@ class ProofReader {
   std::size_t next_ = 0, end_ = 0;  // in plain_
   std::uint64_t compressed_total_ = 0, plain_total_ = 0;
   bool is_complete_ = false;  // the compressed frame has ended
+  bool is_pending_ = false;   // the decompressor may hold more than plain_ had room for
 };
 
 }  // namespace mwt::verifier

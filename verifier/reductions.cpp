@@ -86,6 +86,7 @@ bool Reductions::is_interrupted(Index a, Index b) const {
 }
 
 void Reductions::mark_uncrossed(Index a, Index b) {
+  if (certain_.contains(a, b)) return;
   if (!candidates_.contains(a, b)) throw Refused("the edge is no candidate", {a, b});
   if (is_interrupted(a, b)) throw Refused("a point lies on the edge", {a, b});
   if (candidates_.star(b).size() < candidates_.star(a).size()) std::swap(a, b);
@@ -118,6 +119,7 @@ Bounds Reductions::bound_by_degrees(const std::vector<Index>& hull) const {
 }
 
 void Reductions::mark_beta_skeleton(Index a, Index b) {
+  if (certain_.contains(a, b)) return;
   const Point &p = points_[a], &q = points_[b];
   // The points that see the edge at this angle or a larger one lie within its length of its ends.
   const double reach = 1.2 * std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) * std::sqrt(2.0);

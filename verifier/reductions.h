@@ -12,7 +12,8 @@ namespace mwt::verifier {
 /// What is proved so far. Invariant: every minimum weight triangulation consists of candidates and contains all certain
 /// edges. Each function below keeps it, or throws Refused and says why the step does not follow.
 ///
-/// Steps about edges that are no candidates any more need no reason: they change nothing.
+/// Deletions of edges that are no candidates any more, and marks of edges that are certain already, need no reason:
+/// they change nothing.
 class Reductions {
  public:
   /// Begins with the candidates of diamond_candidates() and the hull (counter-clockwise, with all points on it), whose

@@ -29,13 +29,20 @@ bool is_branch(std::uint8_t tag) {
 Region::Region(Points points, const PointTree& tree, ProofReader& proof) : points_(points), tree_(tree) {
   unit_exponent_ = static_cast<long>(proof.signed_number());
   require(unit_exponent_ > -5000 && unit_exponent_ < 5000, "the unit of length is out of range");
-  // Closed walks around the region, which is to their left, and then the points that no certain edge meets.
+  // Closed walks around the region, which is to their left, and then the points that no certain edge meets. The fewer
+  // than 3 n certain edges have two sides each.
+  const std::size_t max_places = 7 * points.size();
   std::vector<Index> places;
   Index last = 0;
   const auto read_places = [&](std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i) places.push_back(last = proof.index_near(last, points.size()));
+    for (std::uint64_t i = 0; i < count; ++i) {
+      require(places.size() < max_places, "a region has too many places");
+      places.push_back(last = proof.index_near(last, points.size()));
+    }
   };
-  for (std::uint64_t walks = proof.number(); walks > 0; --walks) {
+  std::uint64_t walks = proof.number();
+  require(walks > 0, "a region has no boundary");
+  for (; walks > 0; --walks) {
     const std::size_t first = places.size();
     read_places(proof.number());
     require(places.size() >= first + 2, "a walk around a region has fewer than two sides");
@@ -46,9 +53,12 @@ Region::Region(Points points, const PointTree& tree, ProofReader& proof) : point
   read_places(proof.number());
   const std::uint64_t open = proof.number();
   std::vector<std::uint64_t> from;
-  for (std::uint64_t i = 0, place = 0; i < open; ++i) {
-    place += proof.number();
-    require(place < places.size(), "an edge's end is not among the places of the region");
+  for (std::uint64_t i = 0, place = 0, from_here = 0; i < open; ++i) {
+    const std::uint64_t step = proof.number();
+    require(step < places.size() - place, "an edge's end is not among the places of the region");
+    place += step;
+    from_here = step == 0 ? from_here + 1 : 1;
+    require(from_here < places.size() - place, "more edges begin at a place than end at later ones");
     from.push_back(place);
   }
   for (const std::uint64_t place : from) {

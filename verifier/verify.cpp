@@ -77,7 +77,8 @@ class Verification {
     try {
       return check();
     } catch (const Refused& refused) {
-      std::string message = where_ + ": " + refused.what();
+      const std::string edge = edge_ > 0 ? fmt::format(", edge {}", edge_) : "";
+      std::string message = where_ + edge + ": " + refused.what();
       if (!refused.points().empty()) message += ": points";
       for (const Index p : refused.points()) message += " " + name(p);
       throw Refused(message);
@@ -163,9 +164,8 @@ class Verification {
       b = proof_.index_near(a, points_.size());
       require(a != b, "an edge ends where it begins", {a, b});
     }
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      where_ = fmt::format("step {}, edge {}", steps_, i + 1);
-      const auto [a, b] = edges[i];
+    for (const auto& [a, b] : edges) {
+      ++edge_;
       switch (step) {
         case Step::not_minimal: reductions_->remove_not_minimal(a, b); break;
         case Step::uncrossed: reductions_->mark_uncrossed(a, b); break;
@@ -179,6 +179,7 @@ class Verification {
         case Step::end: break;
       }
     }
+    edge_ = 0;
   }
 
   void conclude(const Regions& regions) {
@@ -201,8 +202,6 @@ class Verification {
     }
   }
 
-  static bool is_narrow(double lower, double upper) { return upper - lower <= kOptimalWidth * upper; }
-
   static std::size_t edge_count(const EdgeSet& edges) {
     std::size_t ends = 0;
     for (std::size_t v = 0; v < edges.point_count(); ++v) ends += edges.star(static_cast<Index>(v)).size();
@@ -222,7 +221,7 @@ class Verification {
   std::optional<Reductions> reductions_;
   Verdict verdict_;
   std::string where_;
-  std::uint64_t steps_ = 0;
+  std::uint64_t steps_ = 0, edge_ = 0;  // edge_: of the list at hand; 0 outside lists
 };
 
 }  // namespace

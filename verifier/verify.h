@@ -1,6 +1,7 @@
 // Checks a proof that a triangulation is a minimum weight triangulation of a set of points, or nearly one.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace mwt::verifier {
 struct Verdict {
   double lower = 0;         ///< the weight of a minimum weight triangulation lies in [lower, upper]
   double upper = 0;         ///< and so does that of the triangulation in the proof
-  bool is_optimal = false;  ///< (upper - lower) / upper <= kOptimalWidth
+  bool is_optimal = false;  ///< (upper - lower) / upper <= kOptimalWidth: is_narrow()
 
   std::size_t points = 0;
   std::size_t candidates = 0;  ///< after the diamond test
@@ -21,6 +22,12 @@ struct Verdict {
 };
 
 inline constexpr double kOptimalWidth = 1e-12;
+
+/// Whether the interval is no wider than that, as those of optima are. An upper end beyond all doubles is infinity, and
+/// such an interval is not.
+[[nodiscard]] inline bool is_narrow(double lower, double upper) {
+  return std::isfinite(upper) && upper - lower <= kOptimalWidth * upper;
+}
 
 /// What README.md says, step by step. The interval is computed here; the one that the proof claims must agree with it:
 /// the two have points in common, and neither end of the one proved is outside the one claimed by more than

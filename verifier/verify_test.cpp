@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "base/testing/test_folder.h"
 #include "verifier/refused.h"
 #include "verifier/testing/naive_prover.h"
@@ -26,6 +28,16 @@ TEST(Verify, BelievesProofsOfANaiveSolver) {
     EXPECT_TRUE(verdict.is_optimal);
   }
   EXPECT_GT(proved, 200);
+}
+
+// Sums of lengths up to 2e300 may exceed all doubles; what is known then is no optimum.
+TEST(Verify, InfiniteIntervalsAreNotOptimal) {
+  constexpr double kMax = std::numeric_limits<double>::max(), kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(is_narrow(kMax, kInfinity));
+  EXPECT_FALSE(is_narrow(kInfinity, kInfinity));
+  EXPECT_TRUE(is_narrow(kMax, kMax));
+  EXPECT_TRUE(is_narrow(1 - 1e-13, 1));
+  EXPECT_FALSE(is_narrow(1 - 1e-11, 1));
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "algorithms/boolean_model/boolean_model.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,8 +8,11 @@
 #include "algorithms/boolean_model/crossing_model.h"
 #include "algorithms/boolean_model/edge_program.h"
 #include "algorithms/boolean_model/model_count.h"
+#include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/max_points.h"
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/greedy/greedy.h"
+#include "geometry/convex_hull.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -35,19 +36,19 @@ double power_of_two_near_longest(Points points, const CrossingModel& model) {
 
 class ModelSearch {
  public:
-  ModelSearch(Points points, const CrossingModel& model, const Context& context)
+  ModelSearch(Points points, const CrossingModel& model, const Deadline& deadline)
       : points_(points),
         model_(model),
-        deadline_(context.deadline),
+        deadline_(deadline),
         unit_(power_of_two_near_longest(points, model)),
         program_(points, model, unit_, deadline_),
         decisions_(model.edges.size()),
         best_(edges_of(greedy_triangulation(points))),
         upper_(length_of(points, best_).upper) {}
 
-  // A certified lower bound on all models.
+  // A certified lower bound on all models: at least the hull, which all contain.
   double run() {
-    const double lower = explore(0);
+    const double lower = explore(cycle_length(points_, convex_hull(points_)).lower / unit_);
     return std::min(lower, enough()) * unit_;
   }
 
@@ -160,22 +161,21 @@ class ModelSearch {
 };
 
 Solution solve(Points points, Context& context) {
-  const std::int64_t limit = context.parameters.integer("max_points");
-  if (std::ssize(points) > limit) {
-    throw NotApplicable(
-        fmt::format("boolean_model: {} points; it takes at most {} (parameter max_points)", points.size(), limit));
-  }
+  require_max_points("boolean_model", points, context);
   const CrossingModel model(points);
   Solution solution;
-  ModelSearch search(points, model, context);
+  ModelSearch search(points, model, deadline_before_heuristics(context.deadline, points.size()));
   const double lower = [&] {
     const ScopedPhase phase(context, "branch_and_cut");
     return search.run();
   }();
   solution.triangulation = triangulation_of(points, search.best());
   const double upper = weight(points, solution.triangulation).upper;
-  solution.optimum = {std::min(std::max(lower, 0.0), upper), upper};
-  if (search.is_late()) solution.stop_reason = StopReason::deadline;
+  solution.optimum = {std::min(lower, upper), upper};
+  if (search.is_late()) {
+    solution.stop_reason = StopReason::deadline;
+    improve_by_heuristics(points, context, solution);
+  }
   solution.counters = {{"variables", static_cast<double>(model.edges.size())},
                        {"programs", static_cast<double>(search.programs())},
                        {"branchings", static_cast<double>(search.branchings())}};

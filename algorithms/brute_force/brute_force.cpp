@@ -1,14 +1,12 @@
 #include "algorithms/brute_force/brute_force.h"
 
-#include <fmt/core.h>
-
 #include <bitset>
 #include <string>
 
 #include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/max_points.h"
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
-#include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
@@ -171,15 +169,7 @@ class Enumeration {
 };
 
 Solution solve(Points points, Context& context) {
-  const std::int64_t limit = context.parameters.integer("max_points");
-  if (limit < 3 || limit > std::int64_t{kBruteForceMaxN}) {
-    throw InputError(
-        fmt::format("brute_force: parameter max_points={} is not between 3 and {}", limit, kBruteForceMaxN));
-  }
-  if (std::ssize(points) > limit) {
-    throw NotApplicable(fmt::format("brute_force: {} points; it takes at most {} (parameter max_points, up to {})",
-                                    points.size(), limit, kBruteForceMaxN));
-  }
+  require_max_points("brute_force", points, context, kBruteForceMaxN);
   BruteForceResult result = [&] {
     const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
     return enumerate_triangulations(points, context);

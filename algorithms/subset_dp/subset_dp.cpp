@@ -1,16 +1,14 @@
 #include "algorithms/subset_dp/subset_dp.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <bit>
 #include <limits>
 #include <string>
 
 #include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/max_points.h"
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
-#include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/predicates.h"
 #include "geometry/weight.h"
@@ -242,14 +240,7 @@ class PathProgram {
 };
 
 Solution solve(Points points, Context& context) {
-  const std::int64_t limit = context.parameters.integer("max_points");
-  if (limit < 3 || limit > std::int64_t{kSubsetDpMaxN}) {
-    throw InputError(fmt::format("subset_dp: parameter max_points={} is not between 3 and {}", limit, kSubsetDpMaxN));
-  }
-  if (std::ssize(points) > limit) {
-    throw NotApplicable(fmt::format("subset_dp: {} points; it takes at most {} (parameter max_points, up to {})",
-                                    points.size(), limit, kSubsetDpMaxN));
-  }
+  require_max_points("subset_dp", points, context, kSubsetDpMaxN);
   Solution solution;
   std::optional<SubsetDpResult> result;
   {

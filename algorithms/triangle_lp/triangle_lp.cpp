@@ -1,7 +1,5 @@
 #include "algorithms/triangle_lp/triangle_lp.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/common/lightest_heuristic.h"
+#include "algorithms/common/max_points.h"
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/proof/cover_duals.h"
@@ -105,11 +104,7 @@ Solution cover_hull(Points points, Context& context) {
 }  // namespace
 
 Solution solve_triangle_program(Points points, Context& context) {
-  const std::int64_t limit = context.parameters.integer("max_points");
-  if (std::ssize(points) > limit) {
-    throw NotApplicable(
-        fmt::format("triangle_lp: {} points; it takes at most {} (parameter max_points)", points.size(), limit));
-  }
+  require_max_points("triangle_lp", points, context);
   Solution solution = [&] {
     const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
     return cover_hull(points, context);

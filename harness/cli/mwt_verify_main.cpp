@@ -5,10 +5,23 @@
 
 #include "base/error.h"
 #include "harness/io/points/point_file.h"
+#include "harness/io/standard_streams.h"
 #include "verifier/refused.h"
 #include "verifier/verify.h"
 
+namespace {
+
+// A verdict that nobody can read is none.
+int flushed(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  std::fprintf(stderr, "mwt_verify: standard output cannot be written (disk full or pipe closed)\n");
+  return 2;
+}
+
+}  // namespace
+
 int main(int argument_count, char** arguments) {
+  mwt::open_closed_standard_streams();
   if (argument_count != 3) {
     std::fprintf(stderr, "usage: mwt_verify POINTS PROOF\n");
     return 2;
@@ -19,10 +32,10 @@ int main(int argument_count, char** arguments) {
                 verdict.is_optimal ? "optimal" : "bounded");
     std::printf("%zu points, %zu candidates, %zu removed, %zu certain, %zu regions\n", verdict.points,
                 verdict.candidates, verdict.removed, verdict.certain, verdict.regions);
-    return 0;
+    return flushed(0);
   } catch (const mwt::verifier::Refused& refused) {
     std::printf("REFUSED %s\n", refused.what());
-    return 1;
+    return flushed(1);
   } catch (const mwt::InputError& error) {
     std::fprintf(stderr, "mwt_verify: %s\n", error.what());
     return 2;

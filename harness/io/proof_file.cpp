@@ -1,6 +1,5 @@
 #include "harness/io/proof_file.h"
 
-#include <openssl/evp.h>
 #include <zstd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "geometry/point_set.h"
 #include "harness/io/output_file.h"
 
 namespace mwt {
@@ -79,23 +79,6 @@ class ProofWriter {
   std::vector<char> plain_, compressed_;
 };
 
-void write_hash(ProofWriter& out, Points points) {
-  std::vector<unsigned char> bytes;
-  bytes.reserve(16 * points.size());
-  for (const Point& p : points) {
-    for (const double value : {p.x, p.y}) {
-      const auto bits = std::bit_cast<std::uint64_t>(value);
-      for (int shift = 0; shift < 64; shift += 8) bytes.push_back(static_cast<unsigned char>(bits >> shift));
-    }
-  }
-  unsigned char hash[EVP_MAX_MD_SIZE];
-  unsigned int size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), hash, &size, EVP_sha256(), nullptr) != 1 || size != 32) {
-    throw std::runtime_error("SHA-256 is not available");
-  }
-  for (unsigned int i = 0; i < size; ++i) out.byte(hash[i]);
-}
-
 // Near triangles one after the other: they follow from each other in few bits.
 void write_triangles(ProofWriter& out, const Triangulation& triangulation, const std::vector<Index>& place) {
   std::vector<Triangle> triangles = triangulation.triangles;
@@ -125,18 +108,14 @@ Step step_of(EdgeReason reason) {
 }
 
 // Edges that pass through a point are none, which needs no proof.
-EdgeConclusions without_edges_through_points(EdgeConclusions conclusions) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < conclusions.crossed.size(); ++i) {
+EdgeConclusions without_edges_through_points(const EdgeConclusions& conclusions) {
+  EdgeConclusions kept{conclusions.reason, {}, {}};
+  for (std::size_t i = 0; i < conclusions.edges.size(); ++i) {
     if (conclusions.crossed[i].a == conclusions.crossed[i].b) continue;
-    conclusions.edges[kept] = conclusions.edges[i];
-    conclusions.crossed[kept++] = conclusions.crossed[i];
+    kept.edges.push_back(conclusions.edges[i]);
+    kept.crossed.push_back(conclusions.crossed[i]);
   }
-  if (conclusions.reason == EdgeReason::crosses_certain) {
-    conclusions.edges.resize(kept);
-    conclusions.crossed.resize(kept);
-  }
-  return conclusions;
+  return kept;
 }
 
 void write_edges(ProofWriter& out, const EdgeConclusions& conclusions) {
@@ -230,7 +209,7 @@ Interval write_proof(const std::string& path, Points points, const ProofTrace& t
     file.append(kMagic);
     ProofWriter out(file);
     out.number(points.size());
-    write_hash(out, points);
+    for (const unsigned char byte : content_hash(points)) out.byte(byte);
     out.real(claim.lower);
     out.real(claim.upper);
     const std::vector<Index> order = order_of(trace, points.size());
@@ -238,7 +217,13 @@ Interval write_proof(const std::string& path, Points points, const ProofTrace& t
     for (Index i = 0; i < order.size(); ++i) place[order[i]] = i;
     for (const Index p : order) out.number(p);
     write_triangles(out, triangulation, place);
-    for (const EdgeConclusions& conclusions : trace.edges) write_edges(out, without_edges_through_points(conclusions));
+    for (const EdgeConclusions& conclusions : trace.edges) {
+      if (conclusions.reason == EdgeReason::crosses_certain) {
+        write_edges(out, without_edges_through_points(conclusions));
+      } else {
+        write_edges(out, conclusions);
+      }
+    }
     for (const DualRegion& region : trace.regions) write_region(out, region);
     out.number(kEnd);
     out.finish();

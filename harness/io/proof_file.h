@@ -11,7 +11,7 @@ namespace mwt {
 
 /// Preconditions: the trace is complete (ProofTrace::is_complete), the triangulation valid, `claimed` the solver's
 /// bounds on the optimum. The file claims those, but a lower end no better than what the trace proves.
-/// The file appears complete or not at all (geometry/output_file.h). Throws InputError: cannot be written.
+/// The file appears complete or not at all (output_file.h). Throws InputError: cannot be written.
 /// Returns the interval that the file claims. O(n) and the compression: about 1 s per million points.
 Interval write_proof(const std::string& path, Points points, const ProofTrace& trace,
                      const Triangulation& triangulation, const Interval& claimed);

@@ -1,7 +1,7 @@
 // C5: greedy's worst case.
 #include <fmt/core.h>
-#include "harness/claims/rules/rules.h"
 
+#include "harness/claims/rules/rules.h"
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"
 

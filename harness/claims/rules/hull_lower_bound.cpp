@@ -1,7 +1,7 @@
 // C7: whether the hull's optimal triangulation weighs no more than the optimum of all points.
 #include <fmt/core.h>
-#include "harness/claims/rules/rules.h"
 
+#include "harness/claims/rules/rules.h"
 #include "harness/claims/selection.h"
 #include "harness/io/text/text.h"
 

@@ -1,7 +1,7 @@
 // C15: whether 4^n bounds the number of triangulations.
 #include <fmt/core.h>
-#include "harness/claims/rules/rules.h"
 
+#include "harness/claims/rules/rules.h"
 #include "harness/claims/rules/triangulation_numbers.h"
 #include "harness/io/text/text.h"
 

@@ -41,6 +41,17 @@ TEST_F(ProofCommands, UnusableFilesAreMistakes) {
   EXPECT_EQ(verify("missing p.txt").exit_code, 2);
 }
 
+TEST_F(ProofCommands, AVerdictThatCannotBePrintedIsNone) {
+  static_cast<void>(run("solve p.txt --algorithm exact --proof p.mwtproof"));
+  ASSERT_EQ(shell("cp p.mwtproof copy"), 0);
+  EXPECT_EQ(shell(MWT_VERIFY_EXECUTABLE " p.txt p.mwtproof >/dev/full 2>.err"), 2);
+  EXPECT_NE(read(".err").find("standard output cannot be written"), std::string::npos);
+  EXPECT_EQ(shell(MWT_VERIFY_EXECUTABLE " other.txt p.mwtproof >/dev/full 2>.err"), 2);
+  EXPECT_EQ(shell(MWT_VERIFY_EXECUTABLE " p.txt p.mwtproof <&- >&- 2>&-"), 0);
+  EXPECT_EQ(shell(MWT_VERIFY_EXECUTABLE " other.txt p.mwtproof <&- >&- 2>&-"), 1);
+  EXPECT_EQ(shell("cmp p.mwtproof copy"), 0);
+}
+
 TEST_F(ProofCommands, BoundsArePrintedAsSuch) {
   static_cast<void>(run("generate uniform --n 2000 -o u.txt"));
   static_cast<void>(run("solve u.txt --algorithm exact --time-limit 0.000001 --proof u.mwtproof"));
@@ -52,6 +63,7 @@ TEST_F(ProofCommands, BoundsArePrintedAsSuch) {
 TEST_F(ProofCommands, MistakesAreReportedBeforeTheWork) {
   expect_mistake("solve p.txt --algorithm greedy --proof p.mwtproof", "greedy writes no proofs");
   expect_mistake("solve p.txt --algorithm exact --proof -", "give a file");
+  expect_mistake("solve p.txt --algorithm exact --proof /dev/stdout", "give a file");
   expect_mistake("solve p.txt --algorithm exact --proof p.txt", "--proof");
   EXPECT_FALSE(exists("p.mwtproof"));
 }

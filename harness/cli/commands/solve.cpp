@@ -14,6 +14,7 @@
 #include "harness/cli/solve_output.h"
 #include "harness/io/given_triangulation.h"
 #include "harness/io/input_file.h"
+#include "harness/io/output_file.h"
 #include "harness/io/points/point_file.h"
 #include "harness/io/proof_file.h"
 #include "harness/io/svg.h"
@@ -176,7 +177,7 @@ std::vector<OutputOption> outputs_of(const SolveArguments& options) {
 }
 
 void require_proof(const std::string& path, const AlgorithmInfo& algorithm) {
-  if (path == "-") throw InputError("--proof: proofs are binary; give a file, such as points.mwtproof");
+  if (is_standard_output(path)) throw InputError("--proof: proofs are binary; give a file, such as points.mwtproof");
   if (!algorithm.has_proofs)
     throw InputError(
         fmt::format("--proof: {} writes no proofs; exact is one of the algorithms that do", algorithm.name));
