@@ -86,6 +86,23 @@ std::uint64_t bytes_for_corridor(const ChainPair& pair) {
   return std::uint64_t{pair.first.size()} * pair.second.size() / 8 + sizeof(DoubleDouble) * pair.second.size();
 }
 
+// A chain of two points closes none, nor does one along a side of the hull.
+bool closes_polygon(Points points, const std::vector<Index>& chain) {
+  return chain.size() > 2 && orientation(points[chain[0]], points[chain[1]], points[chain.back()]) != 0;
+}
+
+// The chains, the edges that close their polygons, and the bridges are in every triangulation.
+double certain_length(Points points, const ChainPair& pair) {
+  LengthSum sum;
+  for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
+    for (std::size_t i = 1; i < chain->size(); ++i) sum.add(points[(*chain)[i - 1]], points[(*chain)[i]]);
+    if (closes_polygon(points, *chain)) sum.add(points[chain->front()], points[chain->back()]);
+  }
+  sum.add(points[pair.first.front()], points[pair.second.back()]);
+  sum.add(points[pair.second.front()], points[pair.first.back()]);
+  return sum.enclosure().lower;
+}
+
 // Notes what proves the optimum. Nothing crosses the chains' edges; between them lies the corridor, and each closes a
 // convex polygon.
 class TwoChainsProof {
@@ -93,14 +110,9 @@ class TwoChainsProof {
   TwoChainsProof(Points points, const ChainPair& pair) : points_(points), pair_(pair) {
     EdgeConclusions uncrossed{EdgeReason::uncrossed, {}, {}};
     for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
-      for (std::size_t i = 1; i < chain->size(); ++i) {
+      for (std::size_t i = 1; i < chain->size(); ++i)
         uncrossed.edges.push_back(make_edge((*chain)[i - 1], (*chain)[i]));
-        certain_.add(points_[(*chain)[i - 1]], points_[(*chain)[i]]);
-      }
-      if (closes_polygon(*chain)) certain_.add(points_[chain->front()], points_[chain->back()]);
     }
-    certain_.add(points_[pair.first.front()], points_[pair.second.back()]);
-    certain_.add(points_[pair.second.front()], points_[pair.first.back()]);
     trace_.edges.push_back(std::move(uncrossed));
   }
 
@@ -108,7 +120,7 @@ class TwoChainsProof {
   void add_regions() {
     const Chains chains = chains_of(pair_);
     for (const std::vector<Index>* chain : {&pair_.first, &pair_.second}) {
-      if (closes_polygon(*chain) && is_noted_polygon(chain->size()))
+      if (closes_polygon(points_, *chain) && is_noted_polygon(chain->size()))
         trace_.regions.push_back(PolygonDuals().solve(points_, *chain, diagonals_of_convex_polygon(points_, *chain)));
     }
     if (chains.p.size() * chains.q.size() <= kMaxNotedEdges)
@@ -116,7 +128,7 @@ class TwoChainsProof {
   }
 
   ProofTrace take() {
-    trace_.lower_bound = certain_.enclosure().lower;
+    trace_.lower_bound = certain_length(points_, pair_);
     for (const DualRegion& region : trace_.regions)
       trace_.lower_bound = next_down(trace_.lower_bound + region.lower_bound);
     trace_.is_complete = true;
@@ -124,14 +136,8 @@ class TwoChainsProof {
   }
 
  private:
-  // A chain of two points closes none, nor does one along a side of the hull.
-  [[nodiscard]] bool closes_polygon(const std::vector<Index>& chain) const {
-    return chain.size() > 2 && orientation(points_[chain[0]], points_[chain[1]], points_[chain.back()]) != 0;
-  }
-
   Points points_;
   const ChainPair& pair_;
-  LengthSum certain_;
   ProofTrace trace_;
 };
 
@@ -179,21 +185,9 @@ class TwoChainsSolver {
     all.insert(all.end(), part.triangles.begin(), part.triangles.end());
   }
 
-  // The chains, the edges that close their polygons, and the bridges are in every triangulation.
-  [[nodiscard]] double certain_length(const ChainPair& pair) const {
-    LengthSum bridges;
-    bridges.add(points_[pair.first.front()], points_[pair.second.back()]);
-    bridges.add(points_[pair.second.front()], points_[pair.first.back()]);
-    LengthSum chains;
-    for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
-      for (std::size_t i = 1; i < chain->size(); ++i) chains.add(points_[(*chain)[i - 1]], points_[(*chain)[i]]);
-    }
-    return (chains.enclosure() + bridges.enclosure()).lower;
-  }
-
   Solution stopped(StopReason reason, const ChainPair& pair) {
     solution_.stop_reason = reason;
-    solution_.optimum = {certain_length(pair), std::numeric_limits<double>::infinity()};
+    solution_.optimum = {certain_length(points_, pair), std::numeric_limits<double>::infinity()};
     note_proof(pair);
     return std::move(solution_);
   }
