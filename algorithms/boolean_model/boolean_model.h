@@ -13,8 +13,8 @@ namespace mwt {
 /// With count=on also the number of models, by enumeration (model_count.h).
 ///
 /// Preconditions: distinct points, not all collinear; NotApplicable beyond max_points. Postcondition: optimal within
-/// the certified interval; wider if the deadline passes. The report writes triangulation as a formula to
-/// argue for NP-hardness; that a problem can be written as a hard one proves nothing about it (claim C14). Time:
+/// the certified interval; wider if the deadline passes. The source report writes triangulation as a formula to argue
+/// for NP-hardness; that a problem can be written as a hard one proves nothing about it (claim C14). Time:
 /// exponential; the relaxation is weak in convex position, where 9 points on a circle take 84 branchings and 10 take
 /// 665. Deterministic, except for the deadline.
 [[nodiscard]] AlgorithmInfo boolean_model_entry();

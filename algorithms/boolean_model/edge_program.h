@@ -14,8 +14,7 @@ namespace mwt {
 /// Minimise the length of the chosen edges x, 0 <= x <= 1, subject to
 ///   - sum of x = the model's size;
 ///   - for every edge, it or one that crosses it is chosen (x_e + sum over f crossing e of x_f >= 1): implied, for a
-///   set
-///     that can be extended is not the largest;
+///     set that can be extended is not the largest;
 ///   - for sets of edges that all cross each other, at most one is chosen: from the model's clauses, those that the
 ///     solution at hand violates, joined to cliques.
 class EdgeProgram {
