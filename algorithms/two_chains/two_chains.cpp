@@ -144,38 +144,28 @@ class TwoChainsProof {
 // What the programs find until the deadline: at least bounds.
 class TwoChainsSolver {
  public:
-  TwoChainsSolver(Points points, Context& context) : points_(points), context_(context) {}
+  TwoChainsSolver(Points points, const ChainPair& pair, Context& context)
+      : points_(points), pair_(pair), context_(context) {}
 
   Solution run() {
-    const std::optional<ChainPair> pair = recognise();
-    if (!pair) return unrecognised();
-    solution_.counters = {{"first_chain", static_cast<double>(pair->first.size())},
-                          {"second_chain", static_cast<double>(pair->second.size())}};
-    if (!context_.fits(bytes_for_corridor(*pair))) return stopped(StopReason::memory, *pair);
-    std::optional<Corridor> corridor = cross(*pair);
-    if (!corridor) return stopped(StopReason::deadline, *pair);
+    solution_.counters = {{"first_chain", static_cast<double>(pair_.first.size())},
+                          {"second_chain", static_cast<double>(pair_.second.size())}};
+    if (!context_.fits(bytes_for_corridor(pair_))) return stopped(StopReason::memory);
+    std::optional<Corridor> corridor = cross();
+    if (!corridor) return stopped(StopReason::deadline);
     solution_.triangulation = {static_cast<Index>(points_.size()), std::move(corridor->triangles)};
     solution_.optimum = corridor->cross_edges;
     const ScopedPhase phase(context_, "polygons");
-    for (const std::vector<Index>* chain : {&pair->first, &pair->second}) add(triangulated(points_, *chain, context_));
+    for (const std::vector<Index>* chain : {&pair_.first, &pair_.second}) add(triangulated(points_, *chain, context_));
     solution_.optimum->upper = weight(points_, solution_.triangulation).upper;
-    note_proof(*pair);
+    note_proof();
     return std::move(solution_);
   }
 
  private:
-  // Nothing if the deadline passes first.
-  std::optional<ChainPair> recognise() {
-    const ScopedPhase phase(context_, "recognition");
-    std::optional<ChainPair> pair = find_chain_pair(points_, context_.deadline);
-    if (!pair && !context_.deadline_passed())
-      throw NotApplicable("two_chains takes two reflex chains that face each other, with 4 points on the hull");
-    return pair;
-  }
-
-  std::optional<Corridor> cross(const ChainPair& pair) {
+  std::optional<Corridor> cross() {
     const ScopedPhase phase(context_, "corridor");
-    return triangulate_corridor(points_, pair, context_.deadline);
+    return triangulate_corridor(points_, pair_, context_.deadline);
   }
 
   void add(const ConvexPolygonSolution& part) {
@@ -185,39 +175,51 @@ class TwoChainsSolver {
     all.insert(all.end(), part.triangles.begin(), part.triangles.end());
   }
 
-  Solution stopped(StopReason reason, const ChainPair& pair) {
+  Solution stopped(StopReason reason) {
     solution_.stop_reason = reason;
-    solution_.optimum = {certain_length(points_, pair), std::numeric_limits<double>::infinity()};
-    note_proof(pair);
-    return std::move(solution_);
-  }
-
-  Solution unrecognised() {
-    const double lower_bound = cycle_length(points_, convex_hull(points_)).lower;
-    solution_.stop_reason = StopReason::deadline;
-    solution_.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
-    if (context_.proof != nullptr) *context_.proof = {{}, {}, {}, lower_bound, true};
+    solution_.optimum = {certain_length(points_, pair_), std::numeric_limits<double>::infinity()};
+    note_proof();
     return std::move(solution_);
   }
 
   // Without dual values if something stopped the programs: there is no more time or memory for them.
-  void note_proof(const ChainPair& pair) {
+  void note_proof() {
     if (context_.proof == nullptr) return;
     const ScopedPhase phase(context_, "proof");
-    TwoChainsProof proof(points_, pair);
+    TwoChainsProof proof(points_, pair_);
     if (!solution_.stop_reason) proof.add_regions();
     *context_.proof = proof.take();
   }
 
   Points points_;
+  const ChainPair& pair_;
   Context& context_;
   Solution solution_;
 };
 
+// Nothing if the deadline passes first.
+std::optional<ChainPair> recognise(Points points, Context& context) {
+  const ScopedPhase phase(context, "recognition");
+  std::optional<ChainPair> pair = find_chain_pair(points, context.deadline);
+  if (!pair && !context.deadline_passed())
+    throw NotApplicable("two_chains takes two reflex chains that face each other, with 4 points on the hull");
+  return pair;
+}
+
+Solution unrecognised(Points points, const Context& context) {
+  Solution solution;
+  const double lower_bound = cycle_length(points, convex_hull(points)).lower;
+  solution.stop_reason = StopReason::deadline;
+  solution.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
+  if (context.proof != nullptr) *context.proof = trace_of_bound(lower_bound);
+  return solution;
+}
+
 Solution solve(Points points, Context& context) {
   Solution solution = [&] {
     const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
-    return TwoChainsSolver(points, context).run();
+    const std::optional<ChainPair> pair = recognise(points, context);
+    return pair ? solve_chain_pair(points, *pair, context) : unrecognised(points, context);
   }();
   if (solution.stop_reason) improve_by_heuristics(points, context, solution);
   return solution;
@@ -235,6 +237,10 @@ std::optional<Corridor> triangulate_corridor(Points points, const ChainPair& pai
   // A length errs by 8 units and passes through at most r + s additions, of one unit each.
   const double relative_error = (static_cast<double>(chains.p.size() + chains.q.size()) + 8) * kDoubleDoubleError;
   return Corridor{triangles_along(chains, steps), enclose(*path, relative_error)};
+}
+
+Solution solve_chain_pair(Points points, const ChainPair& pair, Context& context) {
+  return TwoChainsSolver(points, pair, context).run();
 }
 
 AlgorithmInfo two_chains_entry() {
