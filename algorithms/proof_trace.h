@@ -58,4 +58,12 @@ struct ProofTrace {
   bool is_complete = false;  ///< set by solvers that wrote what they have; others leave everything empty
 };
 
+/// The trace of a bound that needs no conclusions, such as the length of the hull.
+[[nodiscard]] inline ProofTrace trace_of_bound(double lower_bound) {
+  ProofTrace trace;
+  trace.lower_bound = lower_bound;
+  trace.is_complete = true;
+  return trace;
+}
+
 }  // namespace mwt

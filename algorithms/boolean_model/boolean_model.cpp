@@ -197,7 +197,7 @@ Solution solve_in_range(Points points, Context& context) { return solve_scaled(p
 AlgorithmInfo boolean_model_entry() {
   AlgorithmInfo info;
   info.name = "boolean_model";
-  info.summary = "the report's Boolean model, one variable per edge, by branch and cut; counts its models too";
+  info.summary = "the source report's Boolean model, one variable per edge, by branch and cut; counts its models too";
   info.source = "source report, section 3";
   info.guarantee = "optimal, up to the certified interval it returns";
   info.time = "exponential, in convex position from 11 points on; linear programs of O(n^2) variables";

@@ -14,8 +14,8 @@ namespace mwt {
 ///
 /// Preconditions: distinct points, not all collinear; NotApplicable beyond max_points. Postcondition: optimal within
 /// the certified interval; wider if the deadline passes, and then the lightest of the best model and what heuristics
-/// find (common/lightest_heuristic.h). The report writes triangulation as a formula to
-/// argue for NP-hardness; that a problem can be written as a hard one proves nothing about it (claim C14). Time:
+/// find (common/lightest_heuristic.h). The source report writes triangulation as a formula to argue for NP-hardness;
+/// that a problem can be written as a hard one proves nothing about it (claim C14). Time:
 /// exponential; the relaxation is weak in convex position, where 9 points on a circle take 84 branchings and 10 take
 /// 665. Deterministic, except for the deadline.
 [[nodiscard]] AlgorithmInfo boolean_model_entry();

@@ -201,7 +201,7 @@ AlgorithmInfo brute_force_entry() {
   info.name = "brute_force";
   info.summary = "enumerates every triangulation once, keeps the lightest and counts them";
   info.source = "source report, section 4";
-  info.guarantee = "optimal";
+  info.guarantee = "optimal; with too little time a certified interval";
   info.time = "O(n) per triangulation, exponentially many";
   info.space = "O(n^3)";
   info.exactness = Exactness::exact;

@@ -49,7 +49,7 @@ class ExactSolver {
     const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
     try {
       std::optional<CandidateGraph> graph = candidates();
-      if (!graph) return convex_polygon_.empty() ? corridor_solution() : convex_solution();
+      if (!graph) return corridor_ ? corridor_solution() : convex_solution();
       std::optional<CandidateGraph> noted;
       if (context_.proof != nullptr) noted = graph;
       const FaceSolution faces = solve(*std::move(graph));
@@ -63,22 +63,22 @@ class ExactSolver {
   }
 
   // Nearly all pairs of points of two facing chains are candidates, but programs over the chains need none of them.
-  [[nodiscard]] bool is_corridor() const {
+  void find_corridor() {
     constexpr std::size_t kMinCorridor = 1000;
-    return points_.size() >= kMinCorridor && find_chain_pair(points_, context_.deadline);
+    if (points_.size() >= kMinCorridor) corridor_ = find_chain_pair(points_, context_.deadline);
   }
 
   Solution corridor_solution() {
     report_stage("corridor", 0);
     if (context_.proof != nullptr) *context_.proof = {};
-    Solution solution = two_chains_entry().function(points_, context_);
+    Solution solution = solve_chain_pair(points_, *corridor_, context_);
     counters_ = std::move(solution.counters);
     if (solution.optimum->relative_width() > kProvedRelativeWidth && !solution.stop_reason)
       solution.stop_reason = StopReason::precision;
     return solution;
   }
 
-  // Nothing for points in convex position, which are then convex_polygon_, and for two facing chains.
+  // Nothing for points in convex position, which are then convex_polygon_, and for two facing chains, then corridor_.
   std::optional<CandidateGraph> candidates() {
     report_stage("k-d order", 0);
     {
@@ -97,7 +97,8 @@ class ExactSolver {
         for (const Index p : hull) convex_polygon_.push_back(order_.original[p]);
         return {};
       }
-      if (hull.size() == 4 && is_corridor()) return {};
+      if (hull.size() == 4) find_corridor();
+      if (corridor_) return {};
       hull_edges.next.assign(points_.size(), kNoIndex);
       for (std::size_t i = 0; i < hull.size(); ++i) hull_edges.next[hull[i]] = hull[(i + 1) % hull.size()];
       blocks = test.find_candidates(context_);
@@ -183,10 +184,7 @@ class ExactSolver {
   }
 
   void note_simple_bound(double bound) {
-    if (context_.proof == nullptr) return;
-    *context_.proof = ProofTrace();
-    context_.proof->lower_bound = bound;
-    context_.proof->is_complete = true;
+    if (context_.proof != nullptr) *context_.proof = trace_of_bound(bound);
   }
 
   void count(const FaceSolution& faces) {
@@ -244,6 +242,7 @@ class ExactSolver {
   Context& context_;
   KdOrder order_;
   std::vector<Index> convex_polygon_;
+  std::optional<ChainPair> corridor_;
   std::map<std::string, double> counters_;
 };
 

@@ -311,6 +311,19 @@ TEST(Exact, HandsFacingChainsToTwoChains) {
   EXPECT_GT(solution.counters.at("first_chain"), 0);
 }
 
+// Every call of theirs may take 0.2 s past the deadline.
+TEST(Exact, LooksForAHeuristicTriangulationOfStoppedChainsOnce) {
+  const std::vector<Point> points = generate("greedy_corridor", 1200, 1);
+  Context context;
+  context.memory_bytes = 100'000;  // less than the chains need
+  const Solution solution = exact(points, context);
+  EXPECT_EQ(solution.stop_reason, StopReason::memory);
+  EXPECT_GT(solution.counters.at("first_chain"), 0);
+  EXPECT_EQ(std::count_if(context.phases.begin(), context.phases.end(),
+                          [](const auto& phase) { return phase.first == "heuristics"; }),
+            1);
+}
+
 // Wherever the deadline stops it, the interval holds the optimum.
 void interrupt_at_random_moments(int count) {
   std::mt19937_64 random(5);

@@ -61,8 +61,7 @@ TEST(IntervalBand, HasTheCostsOfTheDefinition) {
   }
 }
 
-// A bound that holds for any of a polygon's triangulations: the quick one of its fan from the first vertex that sees
-// all.
+// What some triangulation weighs at most, well above the optimum, as heuristics may give it.
 double weight_at_most(const std::vector<Point>& vertices) {
   return triangulate_polygon(vertices, cycle_of(vertices), PolygonObjective::edges).cost.upper * 1.5;
 }

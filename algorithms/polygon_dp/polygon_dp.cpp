@@ -61,9 +61,9 @@ class IntervalTable {
   }
 
  private:
-  // Rows first .. end - 1, those after them being complete. Like the report's loop over gaps, this takes (i, j) after
-  // all (i, k) and (k, j), and so gives the same table. But row j serves several rows i while it is in cache, which
-  // halves the time from 2000 vertices on.
+  // Rows first .. end - 1, those after them being complete. Like the source report's loop over gaps, this takes (i, j)
+  // after all (i, k) and (k, j), and so gives the same table. But row j serves several rows i while it is in cache,
+  // which halves the time from 2000 vertices on.
   void fill_rows(std::size_t first, std::size_t end) {
     for (std::size_t j = first + 2; j < size_; ++j) {
       for (std::size_t i = std::min(end, j - 1); i-- > first;) fill(i, j);

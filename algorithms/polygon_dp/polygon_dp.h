@@ -23,9 +23,10 @@ struct PolygonTriangulation {
 /// An optimal triangulation of a simple polygon, convex or not, given as a counter-clockwise cycle of indices. Vertices
 /// on straight parts of the boundary are vertices like others; no triangle is flat and no edge passes through a vertex.
 ///
-/// Intervals (i, j) of positions in the cycle, each after those inside it, as in the report: the triangle (i, k, j)
-/// on chord ij costs what its sides add. The first k wins ties (of costs that agree to about 100 bits). Triangles are
-/// listed in preorder: (i, k, j), then those of (i, k), then those of (k, j), starting with the whole cycle.
+/// Intervals (i, j) of positions in the cycle, each after those inside it, as in the source report: the triangle
+/// (i, k, j) on chord ij costs what its sides add. The first k wins ties (of costs that agree to about 100 bits).
+/// Triangles are listed in preorder: (i, k, j), then those of (i, k), then those of (k, j), starting with the whole
+/// cycle.
 ///
 /// No visibility test is needed, only that every triangle turns left: the triangles' boundaries add up to the polygon,
 /// which winds once around its inside and not at all around the rest; winding numbers of left-turning triangles are not

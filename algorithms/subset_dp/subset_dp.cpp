@@ -287,7 +287,7 @@ AlgorithmInfo subset_dp_entry() {
       "V. Alvarez, R. Seidel, A simple aggregative algorithm for counting triangulations of planar point sets and "
       "related "
       "problems, SoCG 2013";
-  info.guarantee = "optimal";
+  info.guarantee = "optimal; with too little time or memory a certified interval";
   info.time = "O(n^2 2^n)";
   info.space = "O(n 2^n)";
   info.exactness = Exactness::exact;

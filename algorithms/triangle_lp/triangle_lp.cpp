@@ -83,7 +83,7 @@ Solution cover_hull(Points points, Context& context) {
     solution.triangulation = start;
     solution.optimum = {cycle_length(points, convex_hull(points)).lower, weight(points, start).upper};
     solution.stop_reason = context.deadline_passed() ? StopReason::deadline : StopReason::memory;
-    if (context.proof != nullptr) *context.proof = {{}, {}, {}, solution.optimum->lower, true};
+    if (context.proof != nullptr) *context.proof = trace_of_bound(solution.optimum->lower);
     return solution;
   }
   TriangleCover cover = [&] {

@@ -86,6 +86,23 @@ std::uint64_t bytes_for_corridor(const ChainPair& pair) {
   return std::uint64_t{pair.first.size()} * pair.second.size() / 8 + sizeof(DoubleDouble) * pair.second.size();
 }
 
+// A chain of two points closes none, nor does one along a side of the hull.
+bool closes_polygon(Points points, const std::vector<Index>& chain) {
+  return chain.size() > 2 && orientation(points[chain[0]], points[chain[1]], points[chain.back()]) != 0;
+}
+
+// The chains, the edges that close their polygons, and the bridges are in every triangulation.
+double certain_length(Points points, const ChainPair& pair) {
+  LengthSum sum;
+  for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
+    for (std::size_t i = 1; i < chain->size(); ++i) sum.add(points[(*chain)[i - 1]], points[(*chain)[i]]);
+    if (closes_polygon(points, *chain)) sum.add(points[chain->front()], points[chain->back()]);
+  }
+  sum.add(points[pair.first.front()], points[pair.second.back()]);
+  sum.add(points[pair.second.front()], points[pair.first.back()]);
+  return sum.enclosure().lower;
+}
+
 // Notes what proves the optimum. Nothing crosses the chains' edges; between them lies the corridor, and each closes a
 // convex polygon.
 class TwoChainsProof {
@@ -93,14 +110,9 @@ class TwoChainsProof {
   TwoChainsProof(Points points, const ChainPair& pair) : points_(points), pair_(pair) {
     EdgeConclusions uncrossed{EdgeReason::uncrossed, {}, {}};
     for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
-      for (std::size_t i = 1; i < chain->size(); ++i) {
+      for (std::size_t i = 1; i < chain->size(); ++i)
         uncrossed.edges.push_back(make_edge((*chain)[i - 1], (*chain)[i]));
-        certain_.add(points_[(*chain)[i - 1]], points_[(*chain)[i]]);
-      }
-      if (closes_polygon(*chain)) certain_.add(points_[chain->front()], points_[chain->back()]);
     }
-    certain_.add(points_[pair.first.front()], points_[pair.second.back()]);
-    certain_.add(points_[pair.second.front()], points_[pair.first.back()]);
     trace_.edges.push_back(std::move(uncrossed));
   }
 
@@ -108,7 +120,7 @@ class TwoChainsProof {
   void add_regions() {
     const Chains chains = chains_of(pair_);
     for (const std::vector<Index>* chain : {&pair_.first, &pair_.second}) {
-      if (closes_polygon(*chain) && is_noted_polygon(chain->size()))
+      if (closes_polygon(points_, *chain) && is_noted_polygon(chain->size()))
         trace_.regions.push_back(PolygonDuals().solve(points_, *chain, diagonals_of_convex_polygon(points_, *chain)));
     }
     if (chains.p.size() * chains.q.size() <= kMaxNotedEdges)
@@ -116,7 +128,7 @@ class TwoChainsProof {
   }
 
   ProofTrace take() {
-    trace_.lower_bound = certain_.enclosure().lower;
+    trace_.lower_bound = certain_length(points_, pair_);
     for (const DualRegion& region : trace_.regions)
       trace_.lower_bound = next_down(trace_.lower_bound + region.lower_bound);
     trace_.is_complete = true;
@@ -124,52 +136,36 @@ class TwoChainsProof {
   }
 
  private:
-  // A chain of two points closes none, nor does one along a side of the hull.
-  [[nodiscard]] bool closes_polygon(const std::vector<Index>& chain) const {
-    return chain.size() > 2 && orientation(points_[chain[0]], points_[chain[1]], points_[chain.back()]) != 0;
-  }
-
   Points points_;
   const ChainPair& pair_;
-  LengthSum certain_;
   ProofTrace trace_;
 };
 
 // What the programs find until the deadline: at least bounds.
 class TwoChainsSolver {
  public:
-  TwoChainsSolver(Points points, Context& context) : points_(points), context_(context) {}
+  TwoChainsSolver(Points points, const ChainPair& pair, Context& context)
+      : points_(points), pair_(pair), context_(context) {}
 
   Solution run() {
-    const std::optional<ChainPair> pair = recognise();
-    if (!pair) return unrecognised();
-    solution_.counters = {{"first_chain", static_cast<double>(pair->first.size())},
-                          {"second_chain", static_cast<double>(pair->second.size())}};
-    if (!context_.fits(bytes_for_corridor(*pair))) return stopped(StopReason::memory, *pair);
-    std::optional<Corridor> corridor = cross(*pair);
-    if (!corridor) return stopped(StopReason::deadline, *pair);
+    solution_.counters = {{"first_chain", static_cast<double>(pair_.first.size())},
+                          {"second_chain", static_cast<double>(pair_.second.size())}};
+    if (!context_.fits(bytes_for_corridor(pair_))) return stopped(StopReason::memory);
+    std::optional<Corridor> corridor = cross();
+    if (!corridor) return stopped(StopReason::deadline);
     solution_.triangulation = {static_cast<Index>(points_.size()), std::move(corridor->triangles)};
     solution_.optimum = corridor->cross_edges;
     const ScopedPhase phase(context_, "polygons");
-    for (const std::vector<Index>* chain : {&pair->first, &pair->second}) add(triangulated(points_, *chain, context_));
+    for (const std::vector<Index>* chain : {&pair_.first, &pair_.second}) add(triangulated(points_, *chain, context_));
     solution_.optimum->upper = weight(points_, solution_.triangulation).upper;
-    note_proof(*pair);
+    note_proof();
     return std::move(solution_);
   }
 
  private:
-  // Nothing if the deadline passes first.
-  std::optional<ChainPair> recognise() {
-    const ScopedPhase phase(context_, "recognition");
-    std::optional<ChainPair> pair = find_chain_pair(points_, context_.deadline);
-    if (!pair && !context_.deadline_passed())
-      throw NotApplicable("two_chains takes two reflex chains that face each other, with 4 points on the hull");
-    return pair;
-  }
-
-  std::optional<Corridor> cross(const ChainPair& pair) {
+  std::optional<Corridor> cross() {
     const ScopedPhase phase(context_, "corridor");
-    return triangulate_corridor(points_, pair, context_.deadline);
+    return triangulate_corridor(points_, pair_, context_.deadline);
   }
 
   void add(const ConvexPolygonSolution& part) {
@@ -179,51 +175,51 @@ class TwoChainsSolver {
     all.insert(all.end(), part.triangles.begin(), part.triangles.end());
   }
 
-  // The chains, the edges that close their polygons, and the bridges are in every triangulation.
-  [[nodiscard]] double certain_length(const ChainPair& pair) const {
-    LengthSum bridges;
-    bridges.add(points_[pair.first.front()], points_[pair.second.back()]);
-    bridges.add(points_[pair.second.front()], points_[pair.first.back()]);
-    LengthSum chains;
-    for (const std::vector<Index>* chain : {&pair.first, &pair.second}) {
-      for (std::size_t i = 1; i < chain->size(); ++i) chains.add(points_[(*chain)[i - 1]], points_[(*chain)[i]]);
-    }
-    return (chains.enclosure() + bridges.enclosure()).lower;
-  }
-
-  Solution stopped(StopReason reason, const ChainPair& pair) {
+  Solution stopped(StopReason reason) {
     solution_.stop_reason = reason;
-    solution_.optimum = {certain_length(pair), std::numeric_limits<double>::infinity()};
-    note_proof(pair);
-    return std::move(solution_);
-  }
-
-  Solution unrecognised() {
-    const double lower_bound = cycle_length(points_, convex_hull(points_)).lower;
-    solution_.stop_reason = StopReason::deadline;
-    solution_.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
-    if (context_.proof != nullptr) *context_.proof = {{}, {}, {}, lower_bound, true};
+    solution_.optimum = {certain_length(points_, pair_), std::numeric_limits<double>::infinity()};
+    note_proof();
     return std::move(solution_);
   }
 
   // Without dual values if something stopped the programs: there is no more time or memory for them.
-  void note_proof(const ChainPair& pair) {
+  void note_proof() {
     if (context_.proof == nullptr) return;
     const ScopedPhase phase(context_, "proof");
-    TwoChainsProof proof(points_, pair);
+    TwoChainsProof proof(points_, pair_);
     if (!solution_.stop_reason) proof.add_regions();
     *context_.proof = proof.take();
   }
 
   Points points_;
+  const ChainPair& pair_;
   Context& context_;
   Solution solution_;
 };
 
+// Nothing if the deadline passes first.
+std::optional<ChainPair> recognise(Points points, Context& context) {
+  const ScopedPhase phase(context, "recognition");
+  std::optional<ChainPair> pair = find_chain_pair(points, context.deadline);
+  if (!pair && !context.deadline_passed())
+    throw NotApplicable("two_chains takes two reflex chains that face each other, with 4 points on the hull");
+  return pair;
+}
+
+Solution unrecognised(Points points, const Context& context) {
+  Solution solution;
+  const double lower_bound = cycle_length(points, convex_hull(points)).lower;
+  solution.stop_reason = StopReason::deadline;
+  solution.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
+  if (context.proof != nullptr) *context.proof = trace_of_bound(lower_bound);
+  return solution;
+}
+
 Solution solve(Points points, Context& context) {
   Solution solution = [&] {
     const OtherDeadline leaving_time(context, deadline_before_heuristics(context.deadline, points.size()));
-    return TwoChainsSolver(points, context).run();
+    const std::optional<ChainPair> pair = recognise(points, context);
+    return pair ? solve_chain_pair(points, *pair, context) : unrecognised(points, context);
   }();
   if (solution.stop_reason) improve_by_heuristics(points, context, solution);
   return solution;
@@ -241,6 +237,10 @@ std::optional<Corridor> triangulate_corridor(Points points, const ChainPair& pai
   // A length errs by 8 units and passes through at most r + s additions, of one unit each.
   const double relative_error = (static_cast<double>(chains.p.size() + chains.q.size()) + 8) * kDoubleDoubleError;
   return Corridor{triangles_along(chains, steps), enclose(*path, relative_error)};
+}
+
+Solution solve_chain_pair(Points points, const ChainPair& pair, Context& context) {
+  return TwoChainsSolver(points, pair, context).run();
 }
 
 AlgorithmInfo two_chains_entry() {

@@ -20,14 +20,18 @@ struct Corridor {
 [[nodiscard]] std::optional<Corridor> triangulate_corridor(Points points, const ChainPair& pair,
                                                            const Deadline& deadline = {});
 
-/// Registry entry. The convex polygons that the chains bound by the O(k^3) polygon program (polygon_dp.h), the corridor
-/// as above: together a minimum weight triangulation, because the chains' edges are in every triangulation
-/// (chain_pair.h).
+/// The convex polygons that the chains bound by the O(k^3) polygon program (polygon_dp.h), the corridor as above:
+/// together a minimum weight triangulation, because the chains' edges are in every triangulation (chain_pair.h).
 ///
-/// NotApplicable unless the points are such a pair, decided exactly. Where the deadline or memory stop it, the optimum
-/// is an interval: as triangulate_convex_polygon() says for the chains' polygons; if even the corridor takes too long,
-/// only the chains and bridges count, and the triangulation is the lightest that heuristics find. Deterministic, except
-/// for the deadline.
+/// Where the deadline or memory stop it, the optimum is an interval: as triangulate_convex_polygon() says for the
+/// chains' polygons; if even the corridor takes too long, only the chains and bridges count, there is no triangulation,
+/// and the optimum has no upper end. `pair` is that of the points, which must be scaled (common/solve_scaled.h).
+/// Deterministic, except for the deadline.
+[[nodiscard]] Solution solve_chain_pair(Points points, const ChainPair& pair, Context& context);
+
+/// Registry entry: solve_chain_pair(). NotApplicable unless the points are such a pair, decided exactly. Where the
+/// deadline or memory stop it, the triangulation is the lightest that heuristics find as well
+/// (common/lightest_heuristic.h).
 [[nodiscard]] AlgorithmInfo two_chains_entry();
 
 }  // namespace mwt

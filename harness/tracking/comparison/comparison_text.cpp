@@ -95,7 +95,7 @@ std::string markdown_row(const CsvRow& cells) {
 }
 
 /// The rows with this verdict to report: algorithms first; cells only of algorithms that are not among them.
-std::vector<std::string> told_times(const Comparison& comparison, Verdict verdict) {
+std::vector<std::string> reported_times(const Comparison& comparison, Verdict verdict) {
   std::vector<std::string> names;
   std::vector<std::string> algorithms;
   for (const TimeRow& row : comparison.algorithms) {
@@ -112,7 +112,7 @@ std::vector<std::string> told_times(const Comparison& comparison, Verdict verdic
 }
 
 std::vector<std::string> reported(const Comparison& comparison, Verdict verdict) {
-  std::vector<std::string> names = told_times(comparison, verdict);
+  std::vector<std::string> names = reported_times(comparison, verdict);
   for (const ExactFinding& finding : comparison.findings) {
     if (finding.is_regression == (verdict == Verdict::regression))
       names.push_back(fmt::format("{} on {}: {}", algorithm_label(finding.cell), place_of(finding), finding.text));
@@ -220,7 +220,7 @@ std::string both_texts(const Settled& settled, bool every_cell, const std::strin
 std::string verdict_line(const Comparison& comparison) {
   const std::vector<std::string> worse = reported(comparison, Verdict::regression);
   const std::vector<std::string> better = reported(comparison, Verdict::improvement);
-  const std::vector<std::string> open = told_times(comparison, Verdict::unclear);
+  const std::vector<std::string> open = reported_times(comparison, Verdict::unclear);
   const std::string unclear = open.empty() ? "" : fmt::format(", {} unclear{}", open.size(), in_brackets(open));
   const bool is_refused = comparison.outcome() == Outcome::not_compared;
   return fmt::format("{}{}, {}{}{} in {}{}", counted(worse.size(), "regression"), in_brackets(worse),
