@@ -315,7 +315,7 @@ TEST(Exact, HandsFacingChainsToTwoChains) {
 TEST(Exact, LooksForAHeuristicTriangulationOfStoppedChainsOnce) {
   const std::vector<Point> points = generate("greedy_corridor", 1200, 1);
   Context context;
-  context.memory_bytes = 30'000;  // less than the corridor needs
+  context.memory_bytes = 1000;  // less than the corridor needs
   const Solution solution = exact(points, context);
   EXPECT_EQ(solution.stop_reason, StopReason::memory);
   EXPECT_GT(solution.counters.at("first_chain"), 0);
