@@ -11,6 +11,7 @@
 
 #include "geometry/point.h"
 #include "harness/io/columns.h"
+#include "harness/rating/proof_check.h"
 #include "harness/rating/rated_run.h"
 
 namespace mwt {
@@ -63,6 +64,10 @@ struct InstanceRecord {
   std::string optimum_source;
   std::optional<double> optimum_time_s;
   std::string optimum_note;
+  std::optional<ProofVerdict> verified;  ///< what the verifier says of the proof
+  std::string proof_note;
+  std::optional<double> verify_time_s;
+  std::optional<std::uint64_t> proof_bytes;
 };
 
 /// The machine, the program and the state of both when a `mwt run` began.

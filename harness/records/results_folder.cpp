@@ -171,7 +171,7 @@ void FolderLock::sync() const { static_cast<void>(fsync(descriptor_)); }
 // Everything is looked at before anything is written.
 ResultsFolder::ResultsFolder(const std::string& path, const std::string& study, const std::string& study_file,
                              bool resume)
-    : lock_(path) {
+    : path_(path), lock_(path) {
   if (!resume) require_empty(path, "continue its study with --resume or choose another folder with --out");
   const bool has_study_file = require_this_study(path, study_file);
   const auto open_file = [&](const char* name, const CsvRow& header) {

@@ -40,6 +40,8 @@ class ResultsFolder {
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
 
+  [[nodiscard]] const std::string& path() const { return path_; }
+
   void append(const RunRecord& record);
   void append(const InstanceRecord& record);
   void append(const EnvironmentRecord& record);
@@ -60,6 +62,7 @@ class ResultsFolder {
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
+  std::string path_;
   FolderLock lock_;
   std::unique_ptr<CsvFile> run_file_;
   std::unique_ptr<CsvFile> instance_file_;

@@ -53,6 +53,12 @@ InstanceRecord row_of(const RowContext& context, const PlannedInstance& planned,
   record.optimum_source = found.source;
   record.optimum_time_s = found.time_s;
   record.optimum_note = found.note;
+  if (found.proof) {
+    record.verified = found.proof->verdict;
+    record.proof_note = found.proof->note;
+    record.verify_time_s = found.proof->time_s;
+    record.proof_bytes = found.proof->bytes;
+  }
   return record;
 }
 

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "harness/rating/optimum_search.h"
 #include "harness/records/environment.h"
+#include "harness/records/proof_folder.h"
 #include "harness/run/interrupt.h"
 #include "harness/run/machine/machine_watch.h"
 #include "harness/study/execute_plan.h"
@@ -88,6 +89,7 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   require_planned(options, folder, whole);
   require_same_build(options, folder, plan, environment);
   folder.append(environment);
+  if (study.max_proof_n > 0) prepare_proof_folder(options.folder);
   announce_plan(study, options, plan, folder, environment, out);
 
   const InterruptWatch interrupt_watch;

@@ -49,6 +49,7 @@ struct Study {
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;
+  std::size_t max_proof_n = 0;                 ///< optima of at most so many points are proved in files and verified
   std::vector<OptimumSource> optimum_sources;  ///< run in this order; empty: every exact algorithm of the registry
 };
 

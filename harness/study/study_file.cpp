@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -225,9 +226,29 @@ void read_limits(TableReader& reader, RunLimits& limits) {
   });
 }
 
+// true, false, or { max_n = N }.
+void read_proofs(TableReader& reader, Study& study) {
+  const toml::node* const node = reader.find("proofs");
+  if (node == nullptr) return;
+  if (const toml::table* const table = node->as_table()) {
+    TableReader proofs(reader.file(), *table, "'proofs'", place_of(reader.file(), node->source()));
+    const toml::node* const max_n = proofs.find("max_n");
+    if (max_n == nullptr) proofs.fail(*node, "'proofs' must be true, false or { max_n = number of points }");
+    study.max_proof_n = index_of(proofs, *max_n, "max_n");
+    proofs.refuse_unknown_keys();
+  } else {
+    bool are_asked_for = false;
+    reader.read_flag("proofs", are_asked_for);
+    if (are_asked_for) study.max_proof_n = std::numeric_limits<std::size_t>::max();
+  }
+  if (study.max_proof_n > 0 && !study.seeks_optimum)
+    reader.fail(*node, "'proofs' are of optima, which this study does not seek; delete 'seek = false'");
+}
+
 void read_optimum(TableReader& reader, Study& study) {
   read_limits(reader, study.optimum_limits);
   reader.read_flag("seek", study.seeks_optimum);
+  read_proofs(reader, study);
   for_each_choice(reader, "sources", "an optimum source", [&](TableReader& choice, const std::string& name) {
     std::optional<Index> max_n;
     if (const toml::node* node = choice.find("max_n")) max_n = index_of(choice, *node, "max_n");

@@ -69,10 +69,9 @@ void warn(const std::string& warning) { std::cerr << "mwt: warning: " << warning
 // The optimum from the cache or the exact algorithms, each in a process of its own.
 FoundOptimum search_optimum(const Instance& instance, std::vector<const AlgorithmInfo*> sources,
                             const RunLimits& limits, OptimumCache* cache, const KnownWeight& known) {
-  const auto shared = std::make_shared<const Instance>(instance);
   FoundOptimum result;
   ProcessPool pool(1);
-  seek_optimum(pool, shared, std::move(sources), limits, cache, known,
+  seek_optimum(pool, {std::make_shared<const Instance>(instance), std::move(sources), limits, cache, known},
                [&](const FoundOptimum& found) { result = found; });
   while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(200));
   return result;
