@@ -8,6 +8,7 @@
 #include "algorithms/proof_trace.h"
 #include "harness/io/proof_file.h"
 #include "harness/io/text/csv.h"
+#include "harness/run/command/command.h"
 #include "harness/run/delaunay_time.h"
 
 namespace mwt {
@@ -85,6 +86,8 @@ RatedRun run_here(Request request, Points points, const Timing& timing, double k
       write_proof_if_any(proof_file, points, trace, execution.solution);
     if (timing.delaunay_time && run.status == RunStatus::ok) run.delaunay_time_s = delaunay_time_s(points);
     return run;
+  } catch (const CommandFailure& failure) {
+    return failed(failure.status(), failure.what());
   } catch (const NotApplicable& reason) {
     return failed(RunStatus::not_applicable, reason.what());
   } catch (const std::bad_alloc&) {

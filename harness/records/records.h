@@ -18,8 +18,10 @@ namespace mwt {
 
 inline constexpr int kSchemaVersion = 3;
 
-/// The columns that every runs.csv and environments.csv of this version begins with; those after them were added later.
+/// The columns that every runs.csv, instances.csv and environments.csv of this version begins with; those after them
+/// were added later.
 inline constexpr std::size_t kFirstRunColumns = 43;
+inline constexpr std::size_t kFirstInstanceColumns = 18;
 inline constexpr std::size_t kFirstEnvironmentColumns = 20;
 
 /// One repetition of one algorithm on one instance: what was run, and what came of it.

@@ -84,7 +84,8 @@ struct StudyRecords {
   std::vector<std::string> warnings{};  ///< about the files, for the user
 };
 
-/// Complete rows only, so that a study may be running there meanwhile. Throws InputError as read_runs().
+/// Complete rows only, so that a study may be running there meanwhile. Folders of earlier builds of this schema version
+/// are read, too; columns that they lack are empty. Throws InputError as read_runs().
 [[nodiscard]] StudyRecords read_records(const std::string& folder);
 
 /// Makes a results folder; runs.csv last, so that none is half there. Throws InputError: it holds something already, or

@@ -26,9 +26,11 @@
 #include "harness/rating/quality.h"
 #include "harness/rating/rated_run.h"
 #include "harness/run/catalogue.h"
+#include "harness/run/command/command.h"
 #include "harness/run/execution.h"
 #include "harness/run/max_workers.h"
 #include "harness/run/start_triangulation.h"
+#include "harness/study/study.h"
 
 namespace mwt {
 
@@ -37,6 +39,7 @@ namespace {
 struct SolveArguments {
   std::string points;
   std::string algorithm;
+  std::optional<std::string> commands;
   std::vector<std::string> parameters;
   std::uint64_t seed = 1;
   int threads = 1;
@@ -50,10 +53,10 @@ struct SolveArguments {
   std::optional<std::string> proof;
 };
 
-Request make_request(const SolveArguments& options, const Catalogue& catalogue, const Instance& instance,
+Request make_request(const SolveArguments& options, const AlgorithmInfo& algorithm, const Instance& instance,
                      const std::vector<Point>& input) {
   Request request;
-  request.algorithm = &catalogue.algorithm(options.algorithm);
+  request.algorithm = &algorithm;
   const AlgorithmInfo& info = *request.algorithm;
   request.parameters = Parameters(info.name, info.parameters, parse_parameters(options.parameters));
   request.seed = options.seed;
@@ -225,10 +228,12 @@ void print(const SolveArguments& options, const SolveOutput& output) {
 
 int solve(const SolveArguments& options) {
   const Catalogue catalogue = Catalogue::built_in();
-  static_cast<void>(catalogue.algorithm(options.algorithm));  // an unknown name is reported before a large file is read
+  const std::vector<StudyCommand> commands =
+      options.commands ? read_commands(*options.commands) : std::vector<StudyCommand>();
+  const AlgorithmInfo& algorithm = algorithm_named(options.algorithm, commands, catalogue);
   const std::vector<Point> input = read_points(options.points);
   const Instance instance = make_instance(input, source_name(options.points));
-  Request request = make_request(options, catalogue, instance, input);
+  Request request = make_request(options, algorithm, instance, input);
   ProofTrace trace;
   if (options.proof) request.proof = &trace;
   require_usable_outputs(options, request);
@@ -237,6 +242,7 @@ int solve(const SolveArguments& options) {
   RatedRun& run = output.run;
   if (run.status == RunStatus::invalid_output) {
     print(options, output);
+    if (algorithm.runs_outside) throw CommandFailure(run.status, run.message);
     throw std::logic_error(output.algorithm + " returned no triangulation: " + run.message);
   }
   FoundOptimum found;
@@ -247,6 +253,7 @@ int solve(const SolveArguments& options) {
   write_files(options, instance, input, execution.solution.triangulation);
   if (options.proof) write_proof_file(*options.proof, instance, trace, execution.solution);
   print(options, output);
+  if (run.status == RunStatus::error && algorithm.runs_outside) throw CommandFailure(run.status, run.message);
   if (!contradictions.empty()) throw std::logic_error(joined(contradictions, "; "));
   return kExitOk;
 }
@@ -254,6 +261,8 @@ int solve(const SolveArguments& options) {
 void declare(CommandOptions& declared, SolveArguments& options) {
   declared.argument("points", options.points, "point file; - for stdin");
   declared.required("--algorithm", options.algorithm, "name of an algorithm (mwt list algorithms)");
+  declared.option("--commands", options.commands,
+                  "study file (TOML) whose commands --algorithm may name, too: programs of your own");
   declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
   declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
   declared.positive("--threads", options.threads, "threads that the algorithm may use", kMaxWorkers);
