@@ -40,6 +40,7 @@ struct SolveArguments {
   std::string points;
   std::string algorithm;
   std::optional<std::string> commands;
+  std::optional<std::string> columns;
   std::vector<std::string> parameters;
   std::uint64_t seed = 1;
   int threads = 1;
@@ -231,7 +232,7 @@ int solve(const SolveArguments& options) {
   const std::vector<StudyCommand> commands =
       options.commands ? read_commands(*options.commands) : std::vector<StudyCommand>();
   const AlgorithmInfo& algorithm = algorithm_named(options.algorithm, commands, catalogue);
-  const std::vector<Point> input = read_points(options.points);
+  const std::vector<Point> input = read_points(options.points, column_names(options.columns));
   const Instance instance = make_instance(input, source_name(options.points));
   Request request = make_request(options, algorithm, instance, input);
   ProofTrace trace;
@@ -264,6 +265,7 @@ void declare(CommandOptions& declared, SolveArguments& options) {
   declared.option("--commands", options.commands,
                   "study file (TOML) whose commands --algorithm may name, too: programs of your own");
   declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
+  declare_columns(declared, options.columns);
   declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
   declared.positive("--threads", options.threads, "threads that the algorithm may use", kMaxWorkers);
   declared.positive("--time-limit", options.time_limit_s, "return the best result found within this many seconds");
