@@ -92,6 +92,21 @@ Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n) {
   return *deadline - std::min(quarter, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n)));
 }
 
+Deadline deadline_before_bounds(const Deadline& deadline, std::size_t n) {
+  if (!deadline) return {};
+  constexpr double kSufficientPerPoint = 8e-6;
+  constexpr double kSufficient = 3;
+  const Clock::duration tenth = std::max(*deadline - Clock::now(), Clock::duration::zero()) / 10;
+  return *deadline - std::min(tenth, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n)));
+}
+
+Deadline deadline_of_bounds(const Deadline& deadline, std::size_t n) {
+  if (!deadline) return {};
+  constexpr double kPerPoint = 1e-6;
+  constexpr double kMinSeconds = 0.05;
+  return std::max(*deadline, Clock::now() + duration_of(kMinSeconds + kPerPoint * static_cast<double>(n)));
+}
+
 Deadline deadline_of_heuristics(const Deadline& deadline) {
   if (!deadline) return {};
   constexpr double kMinSeconds = 0.2;

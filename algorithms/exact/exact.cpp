@@ -11,6 +11,9 @@
 #include "algorithms/common/lightest_heuristic.h"
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
+#include "algorithms/exact/bounds/count_bound.h"
+#include "algorithms/exact/bounds/simple_bound.h"
+#include "algorithms/exact/bounds/star_bound.h"
 #include "algorithms/exact/candidates/certain_edges.h"
 #include "algorithms/exact/candidates/diamond_candidates.h"
 #include "algorithms/exact/candidates/kd_order.h"
@@ -19,7 +22,6 @@
 #include "algorithms/exact/face_proof.h"
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
-#include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
 #include "algorithms/proof/convex_proof.h"
@@ -46,7 +48,8 @@ class ExactSolver {
 
  private:
   Solution run_stages() {
-    const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
+    bounds_deadline_ = deadline_before_heuristics(context_.deadline, points_.size());
+    const OtherDeadline leaving_time(context_, deadline_before_bounds(bounds_deadline_, points_.size()));
     try {
       std::optional<CandidateGraph> graph = candidates();
       if (!graph) return corridor_ ? corridor_solution() : convex_solution();
@@ -106,10 +109,19 @@ class ExactSolver {
     count_edges("edges_after_diamond_test", blocks);
     report_stage("LMT-skeleton", 0.4);
     LmtSkeleton skeleton = skeleton_of(hull_edges, std::move(blocks));
-    CandidateGraph graph = candidates_of(skeleton);
-    if (!is_connected(graph)) divide(hull_edges, skeleton, graph);
+    CandidateGraph graph = candidates_of(hull_edges, skeleton);
+    if (!is_connected(graph)) divide_in_time(hull_edges, skeleton, graph);
     count(graph);
     return graph;
+  }
+
+  // The candidates before it do as well, unless what was deleted is in the proof.
+  void divide_in_time(const HullEdges& hull_edges, LmtSkeleton& skeleton, CandidateGraph& graph) {
+    try {
+      divide(hull_edges, skeleton, graph);
+    } catch (const SearchStopped&) {
+      if (context_.proof != nullptr) throw;
+    }
   }
 
   // Where points are left apart from others: faces with holes or isolated points cost more than looking for what ties
@@ -136,10 +148,16 @@ class ExactSolver {
     return skeleton;
   }
 
-  CandidateGraph candidates_of(const LmtSkeleton& skeleton) {
+  CandidateGraph candidates_of(const HullEdges& hull_edges, const LmtSkeleton& skeleton) {
     report_stage("certain edges", 0.8);
     const ScopedPhase phase(context_, "certain_edges");
-    return mark_certain_edges(order_.points, skeleton.stars, context_);
+    try {
+      return mark_certain_edges(order_.points, skeleton.stars, context_);
+    } catch (const SearchStopped& stopped) {
+      throw SearchStopped(stopped.reason, stopped.what(),
+                          bound_by_stars(order_.points, hull_edges, skeleton.stars,
+                                         deadline_of_bounds(bounds_deadline_, points_.size())));
+    }
   }
 
   void count(const CandidateGraph& graph) {
@@ -168,7 +186,7 @@ class ExactSolver {
 
   FaceSolution solve(CandidateGraph graph) {
     const ScopedPhase phase(context_, "faces");
-    FaceSolution faces = solve_faces(std::move(graph), context_);
+    FaceSolution faces = solve_faces(std::move(graph), context_, bounds_deadline_);
     count(faces);
     return faces;
   }
@@ -227,9 +245,11 @@ class ExactSolver {
   Solution without_triangulation(StopReason reason, double lower_bound) {
     order_ = {};
     Solution solution;
-    const double simple_bound = simple_lower_bound(points_);
-    note_simple_bound(simple_bound);
-    solution.optimum = {std::max(simple_bound, lower_bound), std::numeric_limits<double>::infinity()};
+    const ScopedPhase phase(context_, "bounds");
+    if (context_.proof != nullptr) note_simple_bound(simple_lower_bound(points_));
+    solution.optimum = {
+        std::max(lower_bound, bound_by_counts(points_, deadline_of_bounds(bounds_deadline_, points_.size()))),
+        std::numeric_limits<double>::infinity()};
     solution.stop_reason = reason;
     return solution;
   }
@@ -240,6 +260,7 @@ class ExactSolver {
 
   Points points_;
   Context& context_;
+  Deadline bounds_deadline_;
   KdOrder order_;
   std::vector<Index> convex_polygon_;
   std::optional<ChainPair> corridor_;
