@@ -35,13 +35,19 @@ namespace mwt {
 
 namespace {
 
+// Certified bounds that are closer together are not raised by what the points alone say.
+constexpr double kWorthRaising = 1e-6;
+
 class ExactSolver {
  public:
   ExactSolver(Points points, Context& context) : points_(points), context_(context) {}
 
   Solution run() {
     Solution solution = run_stages();
-    if (solution.stop_reason) improve_by_heuristics(points_, context_, solution);
+    if (solution.stop_reason) {
+      raise_lower_bound(solution);
+      improve_by_heuristics(points_, context_, solution);
+    }
     solution.counters = std::move(counters_);
     return solution;
   }
@@ -63,6 +69,16 @@ class ExactSolver {
     } catch (const std::bad_alloc&) {
       return without_triangulation(StopReason::memory, 0);
     }
+  }
+
+  // What stops at a face may know less of it than the points alone say.
+  void raise_lower_bound(Solution& solution) {
+    const ScopedPhase phase(context_, "bounds");
+    const bool is_settled = !solution.optimum || !convex_polygon_.empty() || corridor_ ||
+                            solution.optimum->relative_width() < kWorthRaising;
+    if (is_settled) return;
+    const double bound = bound_by_counts(points_, deadline_of_bounds(bounds_deadline_, points_.size()));
+    solution.optimum->lower = std::max(solution.optimum->lower, std::min(bound, solution.optimum->upper));
   }
 
   // Nearly all pairs of points of two facing chains are candidates, but programs over the chains need none of them.
@@ -245,11 +261,8 @@ class ExactSolver {
   Solution without_triangulation(StopReason reason, double lower_bound) {
     order_ = {};
     Solution solution;
-    const ScopedPhase phase(context_, "bounds");
     if (context_.proof != nullptr) note_simple_bound(simple_lower_bound(points_));
-    solution.optimum = {
-        std::max(lower_bound, bound_by_counts(points_, deadline_of_bounds(bounds_deadline_, points_.size()))),
-        std::numeric_limits<double>::infinity()};
+    solution.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
     solution.stop_reason = reason;
     return solution;
   }

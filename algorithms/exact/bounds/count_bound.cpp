@@ -58,13 +58,12 @@ class NeighbourSearch {
 
   // By position in the order. Nothing if the deadline passes.
   [[nodiscard]] std::optional<std::vector<Nearest>> run(const Deadline& deadline) const {
+    constexpr std::uint32_t kLeavesPerDeadlineCheck = 16;
     std::vector<Nearest> nearest(order_.points.size());
     std::atomic<bool> is_late = false;
     tbb::parallel_for(order_.leaf_count, 2 * order_.leaf_count, [&](std::uint32_t leaf) {
-      if (is_late || has_passed(deadline)) {
-        is_late = true;
-        return;
-      }
+      if (leaf % kLeavesPerDeadlineCheck == 0 && has_passed(deadline)) is_late = true;
+      if (is_late) return;
       for (Index v = order_.first_of(leaf); v < order_.last_of(leaf); ++v) nearest[v] = nearest_of(v, leaf);
     });
     if (is_late) return {};
