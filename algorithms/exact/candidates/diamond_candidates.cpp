@@ -63,10 +63,7 @@ BinRange directions_between(const Box& from, const Box& to, double scale) {
   return {(first + kDirectionBins) % kDirectionBins, std::min(last - first + 1, kDirectionBins)};
 }
 
-bool has_open_direction(const DeadDistances& dead) {
-  return std::any_of(dead.code.begin(), dead.code.begin() + kDirectionBins,
-                     [](std::uint16_t code) { return code >= kNeverDead; });
-}
+bool has_open_direction(const DeadDistances& dead) { return dead.farthest() >= kNeverDead; }
 
 }  // namespace
 
@@ -75,8 +72,7 @@ DiamondTest::DiamondTest(const KdOrder& order)
       scale_(distance_scale(order)),
       nearest_square_(order.points.size()),
       dead_(order.points.size()),
-      dead_of_node_(2 * std::size_t{order.leaf_count}),
-      farthest_of_node_(2 * std::size_t{order.leaf_count}) {
+      dead_of_node_(2 * std::size_t{order.leaf_count}) {
   tbb::enumerable_thread_specific<NearPointsFinder> finders([this] { return NearPointsFinder(order_); });
   tbb::parallel_for(order_.leaf_count, 2 * order_.leaf_count, [&](std::uint32_t leaf) {
     NearPointsFinder& finder = finders.local();
@@ -118,7 +114,6 @@ void DiamondTest::set_maximum(std::uint32_t node, std::span<const DeadDistances>
       maximum.code[bin] = std::max(maximum.code[bin], part.code[bin]);
     }
   }
-  farthest_of_node_[node] = *std::max_element(maximum.code.begin(), maximum.code.end());
 }
 
 std::vector<Index> DiamondTest::possible_hull_points() const {
@@ -136,7 +131,7 @@ bool DiamondTest::may_connect(std::uint32_t leaf, std::uint32_t node) const {
   const float distance = box_distance(from, to, scale_);
   if (distance < kMinDistance) return true;
   const std::uint16_t code = code_of(distance);
-  if (code >= std::min(farthest_of_node_[leaf], farthest_of_node_[node])) return false;
+  if (code >= std::min(dead_of_node_[leaf].farthest(), dead_of_node_[node].farthest())) return false;
   const BinRange range = directions_between(from, to, scale_);
   const DeadDistances& here = dead_of_node_[leaf];
   const DeadDistances& there = dead_of_node_[node];

@@ -63,8 +63,7 @@ class DiamondTest {
   double scale_;
   std::vector<float> nearest_square_;  ///< squared scaled distance of each point's nearest neighbour in its leaf
   std::vector<DeadDistances> dead_;
-  std::vector<DeadDistances> dead_of_node_;      ///< maxima over a node's points
-  std::vector<std::uint16_t> farthest_of_node_;  ///< maxima over a node's bins
+  std::vector<DeadDistances> dead_of_node_;  ///< maxima over a node's points
 };
 
 }  // namespace mwt

@@ -118,7 +118,12 @@ HWY_INLINE void store_dead_distances(const NearestPerBin& nearest, DeadDistances
     const auto distance = hn::BitCast(bits, hn::Sqrt(hn::Max(left, right)));
     hn::StoreU(hn::ShiftRight<16>(hn::Add(distance, hn::Set(bits, 0xFFFF))), bits, codes + bin);
   }
-  for (std::size_t bin = 0; bin < kDirectionBins; ++bin) dead.code[bin] = static_cast<std::uint16_t>(codes[bin]);
+  std::uint16_t farthest = 0;
+  for (std::size_t bin = 0; bin < kDirectionBins; ++bin) {
+    dead.code[bin] = static_cast<std::uint16_t>(codes[bin]);
+    farthest = std::max(farthest, dead.code[bin]);
+  }
+  dead.code[DeadDistances::kFarthest] = farthest;
 }
 
 void ComputeDeadDistances(const NearPoints& near, std::span<DeadDistances> of_leaf_points) {
@@ -135,6 +140,10 @@ HWY_INLINE void look_around(const NearPoints& near, int place, View& view) {
   for (int i = 0; i < near.leaves * static_cast<int>(KdOrder::kMaxLeaf); i += lanes) {
     hn::Store(scaled_difference(near.x.data() + i, px, near.scale), kFloat, view.x + i);
     hn::Store(scaled_difference(near.y.data() + i, py, near.scale), kFloat, view.y + i);
+  }
+  for (int i = 0; i < NearPoints::kBoxes; i += lanes) {
+    hn::Store(scaled_difference(near.center_x.data() + i, px, near.scale), kFloat, view.center_x + i);
+    hn::Store(scaled_difference(near.center_y.data() + i, py, near.scale), kFloat, view.center_y + i);
   }
 }
 
@@ -171,13 +180,38 @@ HWY_INLINE void add_near_points(const CandidateSearch& search, const View& view,
   add_exactly_each(search, place, bits_of(unsure), bits_of(hn::Gt(roof, margin)), p, q, blocking);
 }
 
+// The near leaves whose boxes meet the edge's triangles, as bits. Along the edge's line and above it, a box reaches as
+// far from its center as the sums `reach` and `rise`: the nearest to the middle of the line at the least height count.
+//
+// A box with a point that matters is at most an edge and its own size away, so that floats lose less than 1e-6 of the
+// edge's square and of the sums. That is far less than the margin, and than what the sums are rounded up by.
+HWY_INLINE std::uint64_t leaves_at(const NearPoints& near, const View& view, const ScaledEdge& edge) {
+  const int lanes = static_cast<int>(hn::Lanes(kFloat));
+  const auto ex = hn::Set(kFloat, edge.x), ey = hn::Set(kFloat, edge.y), square = hn::Set(kFloat, edge.square);
+  const auto tangent = hn::Set(kFloat, static_cast<float>(kTangentOfDiamondAngle));
+  const auto margin = hn::Set(kFloat, 4 * kProductMargin * edge.square);
+  std::uint64_t outside = 0;
+  for (int i = 0; i < NearPoints::kBoxes; i += lanes) {
+    const auto x = hn::Load(kFloat, view.center_x + i), y = hn::Load(kFloat, view.center_y + i);
+    const auto half_x = hn::Load(kFloat, near.half_x.data() + i), half_y = hn::Load(kFloat, near.half_y.data() + i);
+    const auto along = hn::MulAdd(ex, x, hn::Mul(ey, y));
+    const auto height = hn::Abs(hn::NegMulAdd(ey, x, hn::Mul(ex, y)));
+    const auto reach = hn::MulAdd(hn::Abs(ex), half_x, hn::Mul(hn::Abs(ey), half_y));
+    const auto rise = hn::MulAdd(hn::Abs(ey), half_x, hn::Mul(hn::Abs(ex), half_y));
+    const auto nearer_end = hn::Add(hn::Min(along, hn::Sub(square, along)), reach);
+    const auto lowest = hn::Max(hn::Sub(height, rise), hn::Zero(kFloat));
+    outside |= bits_of(hn::Gt(lowest, hn::MulAdd(nearer_end, tangent, margin))) << i;
+  }
+  return ~outside & ((std::uint64_t{1} << near.leaves) - 1);
+}
+
 HWY_INLINE bool is_excluded(const CandidateSearch& search, const View& view, const ScaledEdge& edge, Index p, Index q) {
   if (edge.square <= kMinSquare) return false;
   const NearPoints& near = search.near;
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
-  const float length = std::sqrt(edge.square) * kLengthRoundUp;
   Blocking blocking;
-  for (int leaf = 0; leaf < near.leaves && near.distance[static_cast<std::size_t>(leaf)] < length; ++leaf) {
+  for (std::uint64_t leaves = leaves_at(near, view, edge); leaves != 0; leaves &= leaves - 1) {
+    const int leaf = __builtin_ctzll(leaves);
     const int end = (leaf + 1) * static_cast<int>(KdOrder::kMaxLeaf);
     for (int i = leaf * static_cast<int>(KdOrder::kMaxLeaf); i < end; i += lanes) {
       add_near_points(search, view, edge, i, p, q, blocking);
@@ -198,17 +232,28 @@ HWY_INLINE VectorF dead_distances(const std::uint16_t* codes, VectorI offset) {
 struct Partners {
   alignas(64) double x[KdOrder::kMaxLeaf];
   alignas(64) double y[KdOrder::kMaxLeaf];
+  alignas(64) float farthest[KdOrder::kMaxLeaf];
   int count;
 
-  Partners(Points points, Index first, Index last) : count(static_cast<int>(last - first)) {
+  Partners(const CandidateSearch& search, Index first, Index last) : count(static_cast<int>(last - first)) {
     std::fill(std::begin(x), std::end(x), std::numeric_limits<double>::quiet_NaN());
     std::fill(std::begin(y), std::end(y), std::numeric_limits<double>::quiet_NaN());
+    std::fill(std::begin(farthest), std::end(farthest), 0.0F);
     for (Index i = 0; i < last - first; ++i) {
-      x[i] = points[first + i].x;
-      y[i] = points[first + i].y;
+      x[i] = search.points[first + i].x;
+      y[i] = search.points[first + i].y;
+      farthest[i] = distance_of(search.dead[first + i].farthest());
     }
   }
 };
+
+// Edges that no direction excludes. Codes have 8 significant bits: the square of one is exact (or infinite).
+HWY_INLINE hn::Mask<Float> is_within_farthest(const CandidateSearch& search, Index p, const float* partners,
+                                              VectorF square) {
+  const auto here = hn::Set(kFloat, distance_of(search.dead[p].farthest()));
+  const auto farthest = hn::Min(here, hn::Load(kFloat, partners));
+  return hn::Or(hn::Lt(square, hn::Mul(farthest, farthest)), hn::Le(square, hn::Set(kFloat, kMinSquare)));
+}
 
 // Edges from p to the partners from `place` on, of which partner 0 is point `first`.
 HWY_INLINE hn::Mask<Float> is_within_dead_distances(const CandidateSearch& search, Index p, Index first, int place,
@@ -227,7 +272,7 @@ HWY_INLINE hn::Mask<Float> is_within_dead_distances(const CandidateSearch& searc
 
 std::size_t AppendCandidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
   const NearPoints& near = search.near;
-  const Partners partners(search.points, first, last);
+  const Partners partners(search, first, last);
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
   CandidatePair* const begin = out;
   View view;
@@ -238,6 +283,7 @@ std::size_t AppendCandidates(const CandidateSearch& search, Index first, Index l
       const auto dx = scaled_difference(partners.x + i, search.points[p].x, near.scale);
       const auto dy = scaled_difference(partners.y + i, search.points[p].y, near.scale);
       const auto square = hn::MulAdd(dx, dx, hn::Mul(dy, dy));
+      if (hn::AllFalse(kFloat, is_within_farthest(search, p, partners.farthest + i, square))) continue;
       const auto alive = is_within_dead_distances(search, p, first, i, partners.count, dx, dy, square);
       if (hn::AllFalse(kFloat, alive)) continue;
       if (!std::exchange(has_view, true)) look_around(near, place, view);

@@ -23,7 +23,11 @@ inline constexpr float kMinDistance = 0x1p-55F;
 /// Per direction bin, the distance beyond which no edge of a minimum weight triangulation leaves a point (or any point
 /// of a tree node): the upper halves of floats, rounded up. Distances are in scaled units (see NearPoints::scale).
 struct alignas(64) DeadDistances {
-  std::array<std::uint16_t, 64> code{};  // kDirectionBins used
+  static constexpr std::size_t kFarthest = kDirectionBins;
+
+  std::array<std::uint16_t, 64> code{};  ///< by bin; then, at kFarthest, the largest of all
+
+  [[nodiscard]] std::uint16_t farthest() const { return code[kFarthest]; }
 };
 
 /// The points near a leaf: those of the closest leaves, nearest first, starting with the leaf itself. Each near leaf
@@ -32,12 +36,16 @@ struct NearPoints {
   static constexpr int kLeaves = 14;
   static constexpr int kCapacity = kLeaves * static_cast<int>(KdOrder::kMaxLeaf);
   static constexpr int kSampleCapacity = 1024;
+  static constexpr int kBoxes = 16;  ///< kLeaves, up to whole vectors
 
   double scale = 1;  ///< power of two that brings the instance's extent near 2^60, so that squares of floats keep range
   int leaf_size = 0;  ///< points of the leaf itself: the first places
   int leaves = 0;
   int samples = 0;                        ///< further points, sparse ones from far away: placed after the near leaves
   std::array<float, kLeaves> distance{};  ///< scaled lower bound of the distance of each near leaf's box
+  /// The near leaves' boxes: centers, and what reaches from there to all points of the leaf, scaled and rounded up.
+  alignas(64) std::array<double, kBoxes> center_x{}, center_y{};
+  alignas(64) std::array<float, kBoxes> half_x{}, half_y{};
   alignas(64) std::array<double, kCapacity + kSampleCapacity> x{};
   alignas(64) std::array<double, kCapacity + kSampleCapacity> y{};
 

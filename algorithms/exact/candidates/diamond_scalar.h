@@ -62,10 +62,12 @@ struct ScaledEdge {
   float square;
 };
 
-/// The near points, seen from one point of the leaf, in scaled units.
+/// The near points, seen from one point of the leaf, in scaled units, and the centers of the near leaves' boxes.
 struct View {
   alignas(64) float x[NearPoints::kCapacity];
   alignas(64) float y[NearPoints::kCapacity];
+  alignas(64) float center_x[NearPoints::kBoxes];
+  alignas(64) float center_y[NearPoints::kBoxes];
 };
 
 /// Which triangles of an edge are known to hold a near point, and whether one lies on the edge.
@@ -135,6 +137,7 @@ class ScalarDiamondTest {
 
   // Beyond the larger of what blocks on the left and on the right, no edge survives.
   static void store_dead_distances(const NearestPerBin& nearest, DeadDistances& dead) {
+    std::uint16_t farthest = 0;
     for (int bin = 0; bin < kDirectionBins; ++bin) {
       const float* const here = nearest.of_bin(bin);
       float left = std::numeric_limits<float>::infinity(), right = left;
@@ -143,8 +146,11 @@ class ScalarDiamondTest {
         left = std::min(left, here[j] * (factor * factor));
         right = std::min(right, here[-j] * (factor * factor));
       }
-      dead.code[static_cast<std::size_t>(bin)] = code_above(std::sqrt(std::max(left, right)));
+      const std::uint16_t code = code_above(std::sqrt(std::max(left, right)));
+      dead.code[static_cast<std::size_t>(bin)] = code;
+      farthest = std::max(farthest, code);
     }
+    dead.code[DeadDistances::kFarthest] = farthest;
   }
 
   static void look_around(const NearPoints& near, std::size_t place, View& view) {

@@ -144,9 +144,10 @@ struct VectorStars {
 
   static HWY_INLINE void append(Apexes& apexes, hn::Mask<Float> chosen, hn::Vec<Float> x, hn::Vec<Float> y,
                                 hn::Vec<Word> positions) {
-    hn::CompressBlendedStore(x, chosen, kFloat, apexes.x.data() + apexes.count);
-    hn::CompressBlendedStore(y, chosen, kFloat, apexes.y.data() + apexes.count);
-    hn::CompressBlendedStore(positions, hn::RebindMask(kWord, chosen), kWord, apexes.position.data() + apexes.count);
+    // Stores of whole vectors: some processors (AMD Zen 4) take a hundred cycles to compress into memory.
+    hn::StoreU(hn::Compress(x, chosen), kFloat, apexes.x.data() + apexes.count);
+    hn::StoreU(hn::Compress(y, chosen), kFloat, apexes.y.data() + apexes.count);
+    hn::StoreU(hn::Compress(positions, hn::RebindMask(kWord, chosen)), kWord, apexes.position.data() + apexes.count);
     apexes.count += static_cast<std::uint32_t>(hn::CountTrue(kFloat, chosen));
   }
 

@@ -34,7 +34,18 @@ void NearPointsFinder::append_leaf(std::uint32_t leaf, float distance) {
             kNothing);
   std::fill(near_.y.begin() + static_cast<std::ptrdiff_t>(place), near_.y.begin() + static_cast<std::ptrdiff_t>(end),
             kNothing);
+  append_box(order_.boxes[leaf]);
   near_.distance[static_cast<std::size_t>(near_.leaves++)] = distance;
+}
+
+void NearPointsFinder::append_box(const Box& box) {
+  constexpr double kRoundUp = 1 + 1e-4;  // for what vectors lose of the center, too (diamond_kernels.cpp)
+  const auto place = static_cast<std::size_t>(near_.leaves);
+  const double x = box.min_x + 0.5 * (box.max_x - box.min_x), y = box.min_y + 0.5 * (box.max_y - box.min_y);
+  near_.center_x[place] = x;
+  near_.center_y[place] = y;
+  near_.half_x[place] = static_cast<float>(std::max(x - box.min_x, box.max_x - x) * near_.scale * kRoundUp);
+  near_.half_y[place] = static_cast<float>(std::max(y - box.min_y, box.max_y - y) * near_.scale * kRoundUp);
 }
 
 const NearPoints& NearPointsFinder::find(std::uint32_t leaf) {

@@ -29,6 +29,7 @@ class NearPointsFinder {
 
  private:
   void append_leaf(std::uint32_t leaf, float distance);
+  void append_box(const Box& box);
 
   const KdOrder& order_;
   NearPoints near_;
