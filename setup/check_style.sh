@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-layers=(base geometry generators algorithms verifier harness)
+layers=(base geometry generators algorithms verifier harness library)
 mapfile -t sources < <(find "${layers[@]}" -name '*.h' -o -name '*.cpp' | sort)
 clang-format --dry-run --Werror "${sources[@]}"
 
@@ -39,7 +39,7 @@ require_order() {  # require_order PREFIX NAME...
     forbid "#include \"$prefix($later)/" "$prefix$name/ includes only what is below it" "${files[@]}"
   done
 }
-require_order "" base geometry generators algorithms verifier harness
+require_order "" base geometry generators algorithms verifier harness library
 mapfile -t algorithms < <(code_of algorithms)
 forbid '#include "generators/' 'algorithms and generators do not include each other' "${algorithms[@]}"
 mapfile -t verifier < <(find verifier -name '*.h' -o -name '*.cpp')

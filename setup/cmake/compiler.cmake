@@ -5,11 +5,13 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 add_library(mwt_compiler INTERFACE)
-target_include_directories(mwt_compiler INTERFACE ${PROJECT_SOURCE_DIR})
+# For building only: programs that use the installed library choose their own flags.
+target_include_directories(mwt_compiler INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
 # No contraction of a*b+c: the same points and the same error bounds on every platform.
-target_compile_options(mwt_compiler INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Wpedantic)
+target_compile_options(mwt_compiler INTERFACE
+                       "$<BUILD_INTERFACE:-ffp-contract=off;-Wall;-Wextra;-Wshadow;-Wconversion;-Wpedantic>")
 if(MWT_WARNINGS_AS_ERRORS)
-  target_compile_options(mwt_compiler INTERFACE -Werror)
+  target_compile_options(mwt_compiler INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
 if(MWT_SANITIZE)
   target_compile_options(mwt_compiler INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

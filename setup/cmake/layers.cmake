@@ -9,6 +9,13 @@ function(mwt_add_layer layer)
   endif()
 endfunction()
 
+# Links what the installed library's users need not have: header-only packages, and libraries of rooms that it does not call.
+function(mwt_link_for_building target)
+  foreach(library IN LISTS ARGN)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:${library}>)
+  endforeach()
+endfunction()
+
 # Compiles all sources of a folder together: most of the time of a build is the reading of headers. Names in unnamed namespaces must
 # therefore differ within a folder. Kernels stay by themselves: they include themselves once per instruction set.
 function(mwt_compile_folders_as_units target)

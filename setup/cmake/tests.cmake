@@ -36,12 +36,18 @@ mwt_add_tests(algorithms mwt_algorithms mwt_generators mwt_shapes_for_tests)
 mwt_add_tests(verifier mwt_verifier Boost::headers MPFI::MPFI ZSTD::ZSTD OpenSSL::Crypto)
 # Boost, JSON and SQLite: to read results by other means than the harness's own.
 mwt_add_tests(harness mwt_harness mwt_shapes_for_tests Boost::headers Boost::iostreams ZSTD::ZSTD nlohmann_json::nlohmann_json SQLiteCpp)
+mwt_add_tests(library mwt_library mwt_base)
 # The harness's tests also run the programs as their users do.
 if(TARGET harness_test)
   target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>"
                              MWT_VERIFY_EXECUTABLE="$<TARGET_FILE:mwt_verify>"
                              MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
   add_dependencies(harness_test mwt mwt_verify mwt_benchmark)
+endif()
+# A program of somebody else, built against the installed library. The sanitizers' runtime is none of its business.
+if(NOT MWT_SANITIZE)
+  add_test(NAME library.consumer COMMAND ${PROJECT_SOURCE_DIR}/library/examples/consumer_test.sh ${PROJECT_BINARY_DIR})
+  set_tests_properties(library.consumer PROPERTIES LABELS library TIMEOUT 600)
 endif()
 # What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
 # Optimised builds only: sanitizers find nothing in Python.

@@ -1,0 +1,25 @@
+# The packages that a program linked to the library needs: also read by find_package(mwt).
+find_package(Boost 1.74 REQUIRED COMPONENTS iostreams)
+find_package(TBB REQUIRED)
+find_package(hwy REQUIRED)
+find_package(fmt REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+
+# mwt_find_library(TARGET HEADER LIBRARY [FURTHER_LIBRARY...]): packages without a CMake file of their own.
+function(mwt_find_library target header library)
+  if(TARGET ${target})
+    return()
+  endif()
+  find_path(${library}_INCLUDE_DIR ${header} REQUIRED)
+  find_library(${library}_LIBRARY ${library} REQUIRED)
+  add_library(${target} UNKNOWN IMPORTED)
+  set_target_properties(${target} PROPERTIES IMPORTED_LOCATION ${${library}_LIBRARY}
+                        INTERFACE_INCLUDE_DIRECTORIES ${${library}_INCLUDE_DIR})
+  foreach(further IN LISTS ARGN)
+    find_library(${further}_LIBRARY ${further} REQUIRED)
+    set_property(TARGET ${target} APPEND PROPERTY INTERFACE_LINK_LIBRARIES ${${further}_LIBRARY})
+  endforeach()
+endfunction()
+mwt_find_library(GLPK::GLPK glpk.h glpk)
+mwt_find_library(MPFI::MPFI mpfi.h mpfi mpfr gmp)
+mwt_find_library(ZSTD::ZSTD zstd.h zstd)

@@ -1,0 +1,22 @@
+# The library for programs of others: cmake --install puts headers, static libraries and find_package(mwt) in place.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+file(GLOB library_sources CONFIGURE_DEPENDS library/source/*.cpp)
+list(FILTER library_sources EXCLUDE REGEX "_test\\.cpp$")
+add_library(mwt_library STATIC ${library_sources})
+target_include_directories(mwt_library PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/library/include>
+                           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_compile_features(mwt_library PUBLIC cxx_std_20)
+target_link_libraries(mwt_library PRIVATE mwt_harness)
+set_target_properties(mwt_library PROPERTIES EXPORT_NAME mwt OUTPUT_NAME mwt)
+
+install(TARGETS mwt mwt_verify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS mwt_library mwt_harness mwt_verifier mwt_algorithms mwt_generators mwt_geometry mwt_base mwt_compiler
+        EXPORT mwt-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY library/include/mwt DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/mwt)
+install(EXPORT mwt-targets NAMESPACE mwt:: DESTINATION ${config_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/mwt-config-version.cmake COMPATIBILITY SameMajorVersion)
+install(FILES library/mwt-config.cmake library/dependencies.cmake ${PROJECT_BINARY_DIR}/mwt-config-version.cmake
+        DESTINATION ${config_folder})
