@@ -20,3 +20,14 @@ install(EXPORT mwt-targets NAMESPACE mwt:: DESTINATION ${config_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/mwt-config-version.cmake COMPATIBILITY SameMajorVersion)
 install(FILES library/mwt-config.cmake library/dependencies.cmake ${PROJECT_BINARY_DIR}/mwt-config-version.cmake
         DESTINATION ${config_folder})
+
+# The Python module, for Debian's Python: build/PRESET/python can be put into PYTHONPATH; pip install library/python installs it.
+set(Python_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "The Python that the module is for")
+find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
+find_package(pybind11 REQUIRED)
+set(python_folder ${PROJECT_BINARY_DIR}/python/mwt)
+pybind11_add_module(mwt_python MODULE NO_EXTRAS library/python/mwt/_mwt.cpp)
+target_link_libraries(mwt_python PRIVATE mwt_library mwt_compiler)
+set_target_properties(mwt_python PROPERTIES OUTPUT_NAME _mwt LIBRARY_OUTPUT_DIRECTORY ${python_folder})
+file(GLOB python_sources CONFIGURE_DEPENDS library/python/mwt/*.py library/python/mwt/*.pyi library/python/mwt/py.typed)
+add_custom_command(TARGET mwt_python POST_BUILD COMMAND ${CMAKE_COMMAND} -E copy ${python_sources} ${python_folder})

@@ -47,7 +47,10 @@ endif()
 # A program of somebody else, built against the installed library. The sanitizers' runtime is none of its business.
 if(NOT MWT_SANITIZE)
   add_test(NAME library.consumer COMMAND ${PROJECT_SOURCE_DIR}/library/examples/consumer_test.sh ${PROJECT_BINARY_DIR})
-  set_tests_properties(library.consumer PROPERTIES LABELS library TIMEOUT 600)
+  add_test(NAME library.python COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/library/python/mwt_test.py ${PROJECT_BINARY_DIR}/python)
+  add_test(NAME library.notebooks COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/library/examples/notebooks/notebook_test.py
+                                          ${PROJECT_BINARY_DIR}/python)
+  set_tests_properties(library.consumer library.python library.notebooks PROPERTIES LABELS library TIMEOUT 600 SKIP_RETURN_CODE 77)
 endif()
 # What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
 # Optimised builds only: sanitizers find nothing in Python.
