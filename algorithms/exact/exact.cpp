@@ -268,7 +268,7 @@ AlgorithmInfo exact_entry() {
       "Dickerson and Montague 1996; Beirouti and Snoeyink 1998";
   info.guarantee = "optimal, with a certified interval";
   info.time = "about O(n log n) on random input; exponential in the worst case (NP-hard)";
-  info.space = "about 400 bytes per point";
+  info.space = "about 320 bytes per point; 540 if certain edges do not connect all points";
   info.exactness = Exactness::exact;
   info.has_proofs = true;
   info.max_n = 10'000'000;
