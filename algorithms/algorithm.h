@@ -38,6 +38,13 @@ struct Flip {
   double gain = 0;
 };
 
+/// What an execution cost another process than the one that measures.
+struct OutsideCost {
+  double wall_time_s = 0;
+  double cpu_time_s = 0;
+  std::uint64_t peak_rss_bytes = 0;
+};
+
 /// What the caller gives an algorithm besides the points, and where it reports on its work.
 class Context {
  public:
@@ -52,6 +59,8 @@ class Context {
   std::optional<Triangulation> start;         ///< a given triangulation to start from, already checked
   std::function<void(const std::string& stage, double done)> progress;  ///< optional; done in [0, 1]
   std::vector<std::pair<std::string, double>> phases;                   ///< seconds per named phase, in order
+  std::optional<OutsideCost>
+      outside;  ///< set by an algorithm that runs in another process: counts in place of this one's
 
   /// Call it about once per millisecond of work; reading the clock takes some tens of nanoseconds.
   [[nodiscard]] bool deadline_passed() const { return has_passed(deadline); }
@@ -83,12 +92,13 @@ struct Solution {
   std::optional<std::string> count;          ///< exact number of triangulations, decimal
   std::vector<Flip> flips;                   ///< trace, for algorithms that flip
   std::map<std::string, double> counters{};  ///< what was done, by snake_case name
+  std::optional<double> claimed_lower{};     ///< a lower bound that nobody certifies, of an algorithm that is a command
   std::optional<StopReason> stop_reason;     ///< why less was done than the entry promises; none: nothing stopped it
 
   [[nodiscard]] bool stopped_early() const { return stop_reason.has_value(); }
 };
 
-using AlgorithmFunction = Solution (*)(Points points, Context& context);
+using AlgorithmFunction = std::function<Solution(Points points, Context& context)>;
 
 enum class Exactness { heuristic, exact };
 
@@ -105,6 +115,7 @@ struct AlgorithmInfo {
   int version = 1;                    ///< raised whenever a change may alter results: keys cached optima
   bool convex_position_only = false;  ///< NotApplicable unless all points lie on the hull's boundary
   bool has_proofs = false;            ///< fills the proof that the context asks for
+  bool runs_outside = false;          ///< in another process: fills context.outside
   std::vector<ParameterInfo> parameters;
   AlgorithmFunction function = nullptr;
 };

@@ -13,6 +13,7 @@ import matplotlib.pyplot as plt
 
 import figures
 import page_claims
+import page_optima
 import page_tables
 from library import html_page, style
 from library.html_page import Figure, Section
@@ -22,6 +23,7 @@ SECTIONS = [
     Section("verdicts", "Verdicts", "study/verdicts.html"),
     Section("figures", "Figures", "study/figures.html"),
     Section("gallery", "Gallery", "study/gallery.html"),
+    Section("optima", "What is proved", "study/optima.html"),
     Section("tables", "Tables", "study/tables.html"),
     Section("failures", "Failures", "study/failures.html"),
     Section("runs", "All runs", "study/runs.html"),
@@ -41,7 +43,9 @@ def counts(results):
     return {
         "runs": len(runs),
         "instances": len(instances),
-        "proved": int((instances["optimality"] == "proved").sum()),
+        "proved": int(results.optima["proved"].sum()),
+        "verified": int(results.optima["verified"].sum()),
+        "refused": int(results.optima["refused"].sum()),
         "failed": int(page_tables.is_failure(runs).sum()),
         "not_applicable": int((runs["status"] == "not_applicable").sum()),
         "stopped": int((runs["stopped_early"] == 1).sum()),
@@ -107,6 +111,7 @@ def make(results):
         "counts": counts(results),
         "figures": draw_figures(results, figures.CHARTS),
         "gallery": draw_figures(results, figures.GALLERY),
+        "optima": page_optima.matrix(results),
         "tables": page_tables.summary_table(results),
         "failures": page_tables.failures_table(results),
         "runs": page_tables.runs_table(results, claim_rows),

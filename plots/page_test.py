@@ -84,6 +84,17 @@ class PageTest(PageTestCase):
             0,
         )
 
+    def test_what_is_proved_is_a_matrix(self):
+        rows = self.texts("#optima tr th[scope=row]")
+        self.assertEqual(rows[:3], ["circle", "greedy_corridor", "uniform"])
+        self.assertIn("report_example", rows[3:])
+        cells = self.texts("#optima td:not(:empty)")
+        statuses = self.texts("#optima .status")
+        self.assertEqual(set(statuses), {"proved", "2 proved"})
+        self.assertEqual(len(self.texts("#optima .verification")), len(statuses) - 2)  # n = 100: no proofs
+        self.assertTrue(all(" s" in text or "ms" in text or "µs" in text for text in cells if "proved" in text), cells)
+        self.assertIn("of the proofs verified", self.value("document.querySelector('header').textContent"))
+
     def column(self, position):
         return self.texts(f"#runs tbody tr td:nth-child({position})")
 

@@ -87,15 +87,30 @@ Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n) {
   if (!deadline) return {};
   constexpr double kSufficientPerPoint = 8e-6;  // twice what random points take on one 2.8 GHz core
   constexpr double kSufficient = 2;             // what 10,000 points of a corridor take
-  const Clock::time_point now = Clock::now();
+  const Clock::time_point now = deadline_clock();
   const Clock::duration quarter = std::max(*deadline - now, Clock::duration::zero()) / 4;
   return *deadline - std::min(quarter, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n)));
+}
+
+Deadline deadline_before_bounds(const Deadline& deadline, std::size_t n) {
+  if (!deadline) return {};
+  constexpr double kSufficientPerPoint = 8e-6;
+  constexpr double kSufficient = 3;
+  const Clock::duration tenth = std::max(*deadline - deadline_clock(), Clock::duration::zero()) / 10;
+  return *deadline - std::min(tenth, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n)));
+}
+
+Deadline deadline_of_bounds(const Deadline& deadline, std::size_t n) {
+  if (!deadline) return {};
+  constexpr double kPerPoint = 1e-6;
+  constexpr double kMinSeconds = 0.05;
+  return std::max(*deadline, deadline_clock() + duration_of(kMinSeconds + kPerPoint * static_cast<double>(n)));
 }
 
 Deadline deadline_of_heuristics(const Deadline& deadline) {
   if (!deadline) return {};
   constexpr double kMinSeconds = 0.2;
-  return std::max(*deadline, Clock::now() + duration_of(kMinSeconds));
+  return std::max(*deadline, deadline_clock() + duration_of(kMinSeconds));
 }
 
 }  // namespace mwt

@@ -32,6 +32,14 @@ void improve_by_heuristics(Points points, Context& context, Solution& solution);
 /// points: a quarter of the remaining time before it, or less where that suffices.
 [[nodiscard]] Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n);
 
+/// When an exact algorithm whose work for n points must end by `deadline` should stop and use what is left for a lower
+/// bound: a tenth of the remaining time before it, or less where that suffices.
+[[nodiscard]] Deadline deadline_before_bounds(const Deadline& deadline, std::size_t n);
+
+/// The deadline for bounds of n points: the given one, but at least as long from now as a Delaunay triangulation takes
+/// and 0.05 s, so that there is a bound even when the time limit has passed.
+[[nodiscard]] Deadline deadline_of_bounds(const Deadline& deadline, std::size_t n);
+
 /// The deadline for improve_by_heuristics(): the given one, but at least 0.2 s from now, so that small
 /// instances are improved even when the time limit has passed.
 [[nodiscard]] Deadline deadline_of_heuristics(const Deadline& deadline);

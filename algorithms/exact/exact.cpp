@@ -14,6 +14,9 @@
 #include "algorithms/common/lightest_heuristic.h"
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/common/solve_scaled.h"
+#include "algorithms/exact/bounds/count_bound.h"
+#include "algorithms/exact/bounds/simple_bound.h"
+#include "algorithms/exact/bounds/star_bound.h"
 #include "algorithms/exact/candidates/certain_edges.h"
 #include "algorithms/exact/candidates/diamond_candidates.h"
 #include "algorithms/exact/candidates/kd_order.h"
@@ -22,7 +25,6 @@
 #include "algorithms/exact/face_proof.h"
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
-#include "algorithms/exact/simple_bound.h"
 #include "algorithms/exact/usable_threads.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
 #include "algorithms/proof/convex_proof.h"
@@ -43,20 +45,27 @@ void return_freed_memory() {
 #endif
 }
 
+// Certified bounds that are closer together are not raised by what the points alone say.
+constexpr double kWorthRaising = 1e-6;
+
 class ExactSolver {
  public:
   ExactSolver(Points points, Context& context) : points_(points), context_(context) {}
 
   Solution run() {
     Solution solution = run_stages();
-    if (solution.stop_reason) improve_by_heuristics(points_, context_, solution);
+    if (solution.stop_reason) {
+      raise_lower_bound(solution);
+      improve_by_heuristics(points_, context_, solution);
+    }
     solution.counters = std::move(counters_);
     return solution;
   }
 
  private:
   Solution run_stages() {
-    const OtherDeadline leaving_time(context_, deadline_before_heuristics(context_.deadline, points_.size()));
+    bounds_deadline_ = deadline_before_heuristics(context_.deadline, points_.size());
+    const OtherDeadline leaving_time(context_, deadline_before_bounds(bounds_deadline_, points_.size()));
     try {
       std::optional<CandidateGraph> graph = candidates();
       if (!graph) return corridor_ ? corridor_solution() : convex_solution();
@@ -70,6 +79,16 @@ class ExactSolver {
     } catch (const std::bad_alloc&) {
       return without_triangulation(StopReason::memory, 0);
     }
+  }
+
+  // What stops at a face may know less of it than the points alone say.
+  void raise_lower_bound(Solution& solution) {
+    const ScopedPhase phase(context_, "bounds");
+    const bool is_settled = !solution.optimum || !convex_polygon_.empty() || corridor_ ||
+                            solution.optimum->relative_width() < kWorthRaising;
+    if (is_settled) return;
+    const double bound = bound_by_counts(points_, deadline_of_bounds(bounds_deadline_, points_.size()));
+    solution.optimum->lower = std::max(solution.optimum->lower, std::min(bound, solution.optimum->upper));
   }
 
   // Nearly all pairs of points of two facing chains are candidates, but programs over the chains need none of them.
@@ -116,10 +135,19 @@ class ExactSolver {
     LmtSkeleton skeleton = skeleton_of(hull_edges, *test);
     test.reset();
     return_freed_memory();
-    CandidateGraph graph = candidates_of(skeleton);
-    if (!is_connected(graph)) divide(hull_edges, skeleton, graph);
+    CandidateGraph graph = candidates_of(hull_edges, skeleton);
+    if (!is_connected(graph)) divide_in_time(hull_edges, skeleton, graph);
     count(graph);
     return graph;
+  }
+
+  // The candidates before it do as well, unless what was deleted is in the proof.
+  void divide_in_time(const HullEdges& hull_edges, LmtSkeleton& skeleton, CandidateGraph& graph) {
+    try {
+      divide(hull_edges, skeleton, graph);
+    } catch (const SearchStopped&) {
+      if (context_.proof != nullptr) throw;
+    }
   }
 
   // Where points are left apart from others: faces with holes or isolated points cost more than looking for what ties
@@ -147,10 +175,16 @@ class ExactSolver {
     return skeleton;
   }
 
-  CandidateGraph candidates_of(const LmtSkeleton& skeleton) {
+  CandidateGraph candidates_of(const HullEdges& hull_edges, const LmtSkeleton& skeleton) {
     report_stage("certain edges", 0.8);
     const ScopedPhase phase(context_, "certain_edges");
-    return mark_certain_edges(order_.points, skeleton.stars, context_);
+    try {
+      return mark_certain_edges(order_.points, skeleton.stars, context_);
+    } catch (const SearchStopped& stopped) {
+      throw SearchStopped(stopped.reason, stopped.what(),
+                          bound_by_stars(order_.points, hull_edges, skeleton.stars,
+                                         deadline_of_bounds(bounds_deadline_, points_.size())));
+    }
   }
 
   void count(const CandidateGraph& graph) {
@@ -172,7 +206,7 @@ class ExactSolver {
 
   FaceSolution solve(CandidateGraph graph) {
     const ScopedPhase phase(context_, "faces");
-    FaceSolution faces = solve_faces(std::move(graph), context_);
+    FaceSolution faces = solve_faces(std::move(graph), context_, bounds_deadline_);
     count(faces);
     return faces;
   }
@@ -231,9 +265,8 @@ class ExactSolver {
   Solution without_triangulation(StopReason reason, double lower_bound) {
     order_ = {};
     Solution solution;
-    const double simple_bound = simple_lower_bound(points_);
-    note_simple_bound(simple_bound);
-    solution.optimum = {std::max(simple_bound, lower_bound), std::numeric_limits<double>::infinity()};
+    if (context_.proof != nullptr) note_simple_bound(simple_lower_bound(points_));
+    solution.optimum = {lower_bound, std::numeric_limits<double>::infinity()};
     solution.stop_reason = reason;
     return solution;
   }
@@ -244,6 +277,7 @@ class ExactSolver {
 
   Points points_;
   Context& context_;
+  Deadline bounds_deadline_;
   KdOrder order_;
   std::vector<Index> convex_polygon_;
   std::optional<ChainPair> corridor_;

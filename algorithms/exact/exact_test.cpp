@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <random>
 
+#include "algorithms/common/testing/counted_time.h"
 #include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/testing/instruction_sets.h"
 #include "algorithms/exact/testing/stage_testing.h"
@@ -349,6 +352,69 @@ void interrupt_at_random_moments(int count) {
 TEST(Exact, HoldsTheOptimumWhereverItIsStopped) { interrupt_at_random_moments(8); }
 
 TEST(ExactSlow, HoldsTheOptimumWhereverItIsStopped) { interrupt_at_random_moments(130); }
+
+Solution solve_within(Points points, std::int64_t readings) {
+  const test::CountedTime time;
+  Context context;
+  context.deadline = test::CountedTime::after(readings);
+  return exact(points, context);
+}
+
+std::int64_t readings_of_whole(Points points) {
+  const test::CountedTime time;
+  Context context;
+  context.deadline = test::CountedTime::after(std::int64_t{1} << 40);
+  EXPECT_FALSE(exact(points, context).stop_reason);
+  return test::CountedTime::readings();
+}
+
+// Each limit is a number of times that the solver looks at the clock, so that it stops at the same places every time.
+void give_more_and_more_time(int steps) {
+  const std::vector<NamedInstance> instances = {
+      {"annulus", generate("annulus", 700, 1)},   {"roads", generate("roads", 500, 1)},
+      {"wheel", generate("wheel", 150, 1)},       {"uniform", generate("uniform", 2000, 1)},
+      {"spiral", generate("spiral", 500, 1)},     {"cad_plate", generate("cad_plate", 300, 1, {{"holes", "4"}})},
+      {"contours", generate("contours", 800, 1)}, {"insertion_trap", generate("insertion_trap", 120, 1)},
+      {"circle", generate("circle", 400, 1)}};
+  for (const auto& [name, points] : instances) {
+    const std::int64_t whole = readings_of_whole(points);
+    Interval last{0, std::numeric_limits<double>::infinity()};
+    for (int step = 0; step <= 2 * steps; ++step) {
+      SCOPED_TRACE(testing::Message() << name << ", step " << step);
+      const Solution stopped = solve_within(points, whole * step / steps);
+      ASSERT_TRUE(stopped.optimum);
+      EXPECT_GE(stopped.optimum->lower, last.lower);
+      EXPECT_LE(stopped.optimum->upper, last.upper);
+      last = *stopped.optimum;
+    }
+  }
+}
+
+// Whichever of its readings of the clock comes too late.
+void stop_at_every_reading(const std::vector<NamedInstance>& instances, const std::string& reference) {
+  for (const auto& [name, points] : instances) {
+    const Interval optimum = *solve_to_optimality(reference, points).optimum;
+    const std::int64_t whole = readings_of_whole(points);
+    for (std::int64_t readings = 0; readings <= whole; readings += 1 + readings / 16) {
+      SCOPED_TRACE(testing::Message() << name << ", after " << readings << " of " << whole << " readings");
+      const Solution stopped = solve_within(points, readings);
+      ASSERT_FALSE(find_violation(points, stopped.triangulation));
+      ASSERT_LE(stopped.optimum->lower, optimum.upper);
+      ASSERT_GE(stopped.optimum->upper, optimum.lower);
+    }
+  }
+}
+
+TEST(Exact, HoldsTheOptimumWhicheverReadingOfTheClockStopsIt) {
+  stop_at_every_reading(instances_of_all_families({9, 13}, 2), "subset_dp");
+}
+
+TEST(ExactSlow, HoldsTheOptimumWhicheverReadingOfTheClockStopsIt) {
+  stop_at_every_reading(instances_of_all_families({7, 8, 10, 11, 12, 13}, 10), "subset_dp");
+  stop_at_every_reading(instances_of_all_families({40}, 1), "triangle_lp");
+}
+
+TEST(Exact, AnswersNoWorseGivenMoreTime) { give_more_and_more_time(24); }
 
 TEST(Exact, ReportsStagesAndCounters) {
   const std::vector<Point> points = generate("uniform", 2000, 1);

@@ -45,7 +45,7 @@ class ConvexSolver {
   // For at most a third of the time.
   void consider_heuristics() {
     const ScopedPhase phase(context_, "heuristics");
-    const auto now = Context::Clock::now();
+    const auto now = deadline_clock();
     const OtherDeadline share(context_,
                               context_.deadline ? Deadline(now + (*context_.deadline - now) / 3) : Deadline());
     consider(lightest_heuristic(polygon_, context_).triangles);

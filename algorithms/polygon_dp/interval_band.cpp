@@ -35,13 +35,13 @@ class Forecast {
     constexpr double kEnough = 0.03;  // what came before says little
     constexpr double kDoubt = 1.5;    // the machine may become faster
     if (!deadline_ || share() < kEnough) return false;
-    const std::chrono::duration<double> taken = Clock::now() - start_, given = *deadline_ - start_;
+    const std::chrono::duration<double> taken = deadline_clock() - start_, given = *deadline_ - start_;
     return taken.count() > kDoubt * share() * given.count();
   }
 
  private:
   Deadline deadline_;
-  Clock::time_point start_ = Clock::now();
+  Clock::time_point start_ = deadline_clock();
   double total_ = 0;
   double done_ = 0;
 };

@@ -25,7 +25,7 @@ glp_prob* glpk(void* problem) { return static_cast<glp_prob*>(problem); }
 // that fails, once more for the primal one.
 int time_slice_ms(const Deadline& deadline) {
   if (!deadline) return INT_MAX;
-  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - std::chrono::steady_clock::now());
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(*deadline - deadline_clock());
   return static_cast<int>(std::clamp<long long>(left.count() / 2, 1, INT_MAX));
 }
 

@@ -15,6 +15,7 @@
 #include "base/given_number.h"
 #include "harness/io/text/text.h"
 #include "harness/io/text/text_lines.h"
+#include "harness/run/command/command.h"
 #include "harness/run/machine/build_info.h"
 
 namespace mwt {
@@ -149,6 +150,9 @@ int run_command_line(std::span<const Command> commands, int argument_count, char
     return complain(error.what(), kExitUserMistake);
   } catch (const NotApplicable& reason) {
     return complain(reason.what(), kExitUserMistake);
+  } catch (const CommandFailure& failure) {
+    return complain(fmt::format("the command failed ({}): {}", name_of(failure.status()), failure.what()),
+                    kExitNegative);
   } catch (const std::bad_alloc&) {
     return complain("internal failure: out of memory", kExitFailure);
   } catch (const std::exception& failure) {

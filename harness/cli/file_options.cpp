@@ -52,4 +52,13 @@ std::optional<OutputOption> output_to_standard_output(std::span<const OutputOpti
   return found == outputs.end() ? std::nullopt : std::optional(*found);
 }
 
+void declare_columns(CommandOptions& declared, std::optional<std::string>& columns) {
+  declared.option("--columns", columns,
+                  "in a table, the columns of x and y: names in its header or places from 1, as in lon,lat or 3,4");
+}
+
+std::optional<ColumnNames> column_names(const std::optional<std::string>& columns) {
+  return columns ? std::optional(parse_column_names(*columns)) : std::nullopt;
+}
+
 }  // namespace mwt

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/cli/command_line.h"
+#include "harness/io/points/point_file.h"
+
 namespace mwt {
 
 /// An option that names a file to write, such as {"--svg", "out.svg"}.
@@ -20,6 +23,10 @@ void require_usable_outputs(std::span<const OutputOption> outputs, const std::ve
 
 /// Throws InputError if two inputs are "-": standard input can be read once.
 void require_one_from_standard_input(const std::vector<std::string>& inputs);
+
+/// Declares --columns, for tables of points.
+void declare_columns(CommandOptions& declared, std::optional<std::string>& columns);
+[[nodiscard]] std::optional<ColumnNames> column_names(const std::optional<std::string>& columns);
 
 /// The one that goes to standard output, if any.
 [[nodiscard]] std::optional<OutputOption> output_to_standard_output(std::span<const OutputOption> outputs);

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "harness/rating/quality.h"
 #include "harness/rating/rated_run.h"
+#include "harness/run/command/command.h"
 
 namespace mwt {
 
@@ -16,6 +17,7 @@ namespace {
 RatedRun run_here(const Request& request, Points points) {
   RatedRun run = judged(*request.algorithm, points, solve_unmeasured(request, points));
   if (run.status == RunStatus::invalid_output) {
+    if (request.algorithm->runs_outside) throw CommandFailure(run.status, run.message);
     throw std::logic_error(request.algorithm->name + ": invalid triangulation: " + run.message);
   }
   return run;
@@ -55,6 +57,7 @@ std::optional<Interval> AlphaOracle::alpha(const std::vector<Point>& points) con
     if (optimality_of(claims.bounds()) != Optimality::proved) return std::nullopt;
     RatedRun run = add(request_);
     rate(run, claims.bounds());
+    if (run.status != RunStatus::ok) throw CommandFailure(run.status, run.message);  // it claims too much
     return Interval{run.alpha_lower.value(), run.alpha_upper.value()};
   } catch (const InputError&) {
     return std::nullopt;

@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "geometry/point_set.h"
+#include "harness/io/solution_file.h"
 
 namespace mwt {
 
-/// The first rule that `triangles`, whose corners are positions in `input`, break as a triangulation of `set`; nothing
-/// if they are one. One line; a corner out of range is named as the file has it, with the remedy if the corners seem to
-/// be numbered from 1. O(n log n).
+/// The first rule that the triangles, or those that the edges bound, break as a triangulation of `set`; nothing if they
+/// are one. Corners are positions in `input`. One line; a corner out of range is named as the solution has it. O(n log
+/// n).
 [[nodiscard]] std::optional<std::string> broken_rule(const PointSet& set, const std::vector<Point>& input,
-                                                     const std::vector<Triangle>& triangles);
+                                                     const GivenSolution& solution);
 
 /// Reads a triangulation of `set` whose corners are positions in `input`, and checks it.
 /// Throws InputError: unreadable file, or not a triangulation of the points (naming the broken rule).

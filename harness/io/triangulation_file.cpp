@@ -49,9 +49,9 @@ std::array<std::size_t, kCorners> find_columns(const TextTable& table) {
 }
 
 template <std::size_t kCorners>
-std::vector<Corners<kCorners>> read_corners(const std::string& path, const std::string& what) {
-  const std::string text = read_text_file(path);
-  TextTable table(source_name(path), text);
+std::vector<Corners<kCorners>> parse_corners(const std::string& source, std::string_view text,
+                                             const std::string& what) {
+  TextTable table(source, text);
   std::vector<Corners<kCorners>> rows;
   std::array<std::size_t, kCorners> columns{};
   while (table.next_row()) {
@@ -66,13 +66,21 @@ std::vector<Corners<kCorners>> read_corners(const std::string& path, const std::
 
 }  // namespace
 
-std::vector<Triangle> read_triangles(const std::string& path) { return read_corners<3>(path, "triangles"); }
+std::vector<Triangle> parse_triangles(const std::string& source, std::string_view text) {
+  return parse_corners<3>(source, text, "triangles");
+}
 
-std::vector<Edge> read_edges(const std::string& path) {
+std::vector<Edge> parse_edges(const std::string& source, std::string_view text) {
   std::vector<Edge> edges;
-  for (const auto& [a, b] : read_corners<2>(path, "edges")) edges.push_back(make_edge(a, b));
+  for (const auto& [a, b] : parse_corners<2>(source, text, "edges")) edges.push_back(make_edge(a, b));
   return edges;
 }
+
+std::vector<Triangle> read_triangles(const std::string& path) {
+  return parse_triangles(source_name(path), read_text_file(path));
+}
+
+std::vector<Edge> read_edges(const std::string& path) { return parse_edges(source_name(path), read_text_file(path)); }
 
 void require_table_name(const std::string& path) {
   require_fitting_ending(path, {".csv"}, "triangles and edges are written as CSV");

@@ -8,6 +8,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/triangulation.h"
@@ -21,6 +22,10 @@ namespace mwt {
 
 /// The edges in the order of the file, each with its smaller end first. Otherwise as above.
 [[nodiscard]] std::vector<Edge> read_edges(const std::string& path);
+
+/// The same of a text that has been read; `source` names it in messages.
+[[nodiscard]] std::vector<Triangle> parse_triangles(const std::string& source, std::string_view text);
+[[nodiscard]] std::vector<Edge> parse_edges(const std::string& source, std::string_view text);
 
 /// Throws InputError if the name's ending promises another kind of file, such as .json.
 void require_table_name(const std::string& path);

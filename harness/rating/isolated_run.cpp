@@ -5,23 +5,26 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algorithms/proof_trace.h"
+#include "harness/io/proof_file.h"
 #include "harness/io/text/csv.h"
+#include "harness/run/command/command.h"
 #include "harness/run/delaunay_time.h"
 
 namespace mwt {
 
 namespace {
 
-// Checking and weighing take about a microsecond per point, the Delaunay time as much and at most half a second more;
-// ten times that, and a second for a machine under load.
-double allowance_s(const Timing& timing, Index n) {
+// Checking and weighing take about a microsecond per point, writing a proof as much, the Delaunay time as much and at
+// most half a second more; ten times that, and a second for a machine under load.
+double allowance_s(const Timing& timing, bool writes_proof, Index n) {
   const double once = 1e-5 * n;
-  return 1 + once + (timing.delaunay_time ? 5 + once : 0);
+  return 1 + once + (writes_proof ? once : 0) + (timing.delaunay_time ? 5 + once : 0);
 }
 
-ProcessLimits process_limits(const RunLimits& limits, const Timing& timing, Index n, int threads) {
+ProcessLimits process_limits(const RunLimits& limits, double allowance_s, int threads) {
   ProcessLimits result;
-  result.wall_s = limits.time_s + limits.grace_s + allowance_s(timing, n);
+  result.wall_s = limits.time_s + limits.grace_s + allowance_s;
   result.cpu_s = result.wall_s * threads;
   result.memory_bytes = limits.memory_bytes;
   return result;
@@ -56,9 +59,21 @@ RatedRun failed(RunStatus status, const std::string& message) {
   return run;
 }
 
-// What happens inside the process.
-RatedRun run_here(const Request& request, Points points, const Timing& timing, double kill_after_s) {
+// The optimum is found, whether or not what proves it can be written.
+void write_proof_if_any(const std::string& file, Points points, const ProofTrace& trace, const Solution& solution) {
+  if (!trace.is_complete || !solution.optimum) return;
   try {
+    static_cast<void>(write_proof(file, points, trace, solution.triangulation, *solution.optimum));
+  } catch (const std::exception&) {  // the file is missing, which is seen
+  }
+}
+
+// What happens inside the process.
+RatedRun run_here(Request request, Points points, const Timing& timing, double kill_after_s,
+                  const std::string& proof_file) {
+  try {
+    ProofTrace trace;
+    if (!proof_file.empty()) request.proof = &trace;
     const Execution execution = execute_repeatedly(request, points, timing.min_time_s);
     if (execution.wall_time_s > kill_after_s) return failed(RunStatus::timeout, "ended after its limit and grace");
     RatedRun run = judged(*request.algorithm, points, execution);
@@ -67,8 +82,12 @@ RatedRun run_here(const Request& request, Points points, const Timing& timing, d
       bare.checker = run.checker;
       return bare;
     }
+    if (!proof_file.empty() && run.status == RunStatus::ok)
+      write_proof_if_any(proof_file, points, trace, execution.solution);
     if (timing.delaunay_time && run.status == RunStatus::ok) run.delaunay_time_s = delaunay_time_s(points);
     return run;
+  } catch (const CommandFailure& failure) {
+    return failed(failure.status(), failure.what());
   } catch (const NotApplicable& reason) {
     return failed(RunStatus::not_applicable, reason.what());
   } catch (const std::bad_alloc&) {
@@ -93,10 +112,13 @@ RatedRun run_after(const ProcessResult& process) {
 }  // namespace
 
 void start_isolated_run(ProcessPool& pool, const Request& request, const Instance& instance, const RunLimits& limits,
-                        const Timing& timing, std::function<void(RatedRun)> when_done) {
+                        const Timing& timing, std::function<void(RatedRun)> when_done, const std::string& proof_file) {
   const Points points = instance.set.points;
-  const auto work = [&] { return encode(run_here(request, points, timing, limits.time_s + limits.grace_s)); };
-  const ProcessLimits process = process_limits(limits, timing, static_cast<Index>(points.size()), request.threads);
+  const auto n = static_cast<Index>(points.size());
+  const auto work = [&] {
+    return encode(run_here(request, points, timing, limits.time_s + limits.grace_s, proof_file));
+  };
+  const ProcessLimits process = process_limits(limits, allowance_s(timing, !proof_file.empty(), n), request.threads);
   pool.start(work, process,
              [when_done = std::move(when_done)](const ProcessResult& result) { when_done(run_after(result)); });
 }

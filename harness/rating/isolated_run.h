@@ -28,7 +28,12 @@ struct Timing {
 ///
 /// The process is killed at time_s + grace_s, plus an allowance for checking the result and for the
 /// Delaunay time that grows with n. An execution longer than time_s + grace_s is a timeout although it has ended.
+///
+/// With a `proof_file`, the process writes there what proves the algorithm's bounds, if the run is ok and the algorithm
+/// has a proof (harness/io/proof_file.h); where there is none, or it cannot be written, the run is as without. Its
+/// times include what the algorithm does for the proof.
 void start_isolated_run(ProcessPool& pool, const Request& request, const Instance& instance, const RunLimits& limits,
-                        const Timing& timing, std::function<void(RatedRun)> when_done);
+                        const Timing& timing, std::function<void(RatedRun)> when_done,
+                        const std::string& proof_file = "");
 
 }  // namespace mwt

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
 #include "harness/io/text/text.h"
 #include "harness/rating/quality.h"
@@ -21,6 +22,9 @@
 namespace mwt {
 
 namespace {
+
+constexpr const char* kEnding = ".optimum";
+constexpr const char* kProofEnding = ".mwtproof";
 
 constexpr std::size_t kMaxFile = std::size_t{1} << 16;  // bytes; far above any that was stored
 
@@ -128,6 +132,11 @@ void clear_the_place(const std::string& path) {
   if (fs::exists(status) && !fs::is_regular_file(status)) fs::remove(path, ignored);
 }
 
+// Of an entry: its path with the other ending.
+std::string proof_beside(const std::string& entry) {
+  return std::filesystem::path(entry).replace_extension(kProofEnding).string();
+}
+
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
@@ -148,8 +157,10 @@ OptimumCache::OptimumCache(std::string folder, std::function<void(const std::str
 }
 
 std::string OptimumCache::path_of(const OptimumKey& key) const {
-  return fmt::format("{}/{}-{}-{}.optimum", folder_, key.instance_id, key.solver, short_hash(head_of(key)));
+  return fmt::format("{}/{}-{}-{}{}", folder_, key.instance_id, key.solver, short_hash(head_of(key)), kEnding);
 }
+
+std::string OptimumCache::proof_path_of(const OptimumKey& key) const { return proof_beside(path_of(key)); }
 
 std::optional<CachedOptimum> OptimumCache::find(const OptimumKey& key) {
   if (folder_.empty()) return std::nullopt;
@@ -170,6 +181,7 @@ std::vector<std::string> OptimumCache::discard_disproved(const std::string& inst
     if (!lower || *lower <= weight) continue;
     disproved.push_back(file.string());
     std::error_code error;
+    std::filesystem::remove(proof_beside(file.string()), error);
     if (std::filesystem::remove(file, error)) continue;
     distrusted_.insert(file.string());
     warn_(file.string() + ": a triangulation disproves it, but it cannot be removed: " + error.message());
@@ -178,14 +190,38 @@ std::vector<std::string> OptimumCache::discard_disproved(const std::string& inst
 }
 
 void OptimumCache::store(const OptimumKey& key, const CachedOptimum& optimum) {
-  if (!can_store_ || !is_proved(optimum.interval)) return;
+  if (is_proved(optimum.interval)) put(path_of(key), content_of(key, optimum));
+}
+
+bool OptimumCache::fetch_proof(const OptimumKey& key, const std::string& file) {
+  const std::string path = proof_path_of(key);
+  std::error_code error;
+  if (!find(key) || !std::filesystem::is_regular_file(path, error)) return false;
+  try {
+    write_file_atomically(file, read_file(path));
+    return true;
+  } catch (const InputError&) {
+    return false;  // then it is made anew, and whatever is wrong with the file is seen
+  }
+}
+
+void OptimumCache::store_proof(const OptimumKey& key, const std::string& file) {
+  if (find(key)) put(proof_path_of(key), read_file(file));
+}
+
+void OptimumCache::discard_proof(const OptimumKey& key) {
+  std::error_code ignored;
+  std::filesystem::remove(proof_path_of(key), ignored);
+}
+
+void OptimumCache::put(const std::string& path, const std::string& content) {
+  if (!can_store_) return;
   std::error_code reported_by_writing;
   std::filesystem::create_directories(folder_, reported_by_writing);
   if (!std::exchange(is_swept_, true)) sweep_stale_files(folder_);
-  const std::string path = path_of(key);
   clear_the_place(path);
   try {
-    write_file_atomically(path, content_of(key, optimum));
+    write_file_atomically(path, content);
     distrusted_.erase(path);
   } catch (const InputError& error) {
     std::error_code ignored;

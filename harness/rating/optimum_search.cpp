@@ -13,6 +13,7 @@
 #include "harness/io/text/text.h"
 #include "harness/rating/isolated_run.h"
 #include "harness/rating/quality.h"
+#include "harness/rating/sought_proof.h"
 
 namespace mwt {
 
@@ -42,8 +43,20 @@ class Search {
     if (cache_ != nullptr) look_up();
   }
 
-  // The source to run now; null once the optimum is proved or no source is left.
-  const AlgorithmInfo* next_source() { return is_proved() || next_ == sources_.size() ? nullptr : sources_[next_++]; }
+  // The source to run now; null once the optimum is proved or no source is left. If there must be a proof, another
+  // source that writes one runs for a proved optimum, too.
+  const AlgorithmInfo* next_source(bool must_prove) {
+    while (next_ < sources_.size() && (must_prove || !is_proved())) {
+      const AlgorithmInfo* const source = sources_[next_++];
+      if (!is_proved() || source->has_proofs) return source;
+    }
+    return nullptr;
+  }
+
+  // Of the sources whose optimum came from the cache.
+  [[nodiscard]] const std::vector<OptimumKey>& cached_keys() const { return cached_keys_; }
+
+  [[nodiscard]] std::optional<Interval> bounds() const { return claims_.bounds(); }
 
   void add(const AlgorithmInfo& source, const RatedRun& run) {
     found_.note += (found_.note.empty() ? "" : "; ") + source.name + ": " + summary_of(run);
@@ -52,9 +65,10 @@ class Search {
     for (const Disproof& disproof : disproofs) found_.contradictions.push_back(disproof.text());
     const bool stands =
         std::ranges::none_of(disproofs, [&](const Disproof& disproof) { return disproof.claim.id == source.name; });
-    if (cache_ == nullptr || !stands || run.status != RunStatus::ok || !run.certified_lower) return;
-    cache_->store(key_of(instance_, source),
-                  {{*run.certified_lower, run.weight_upper.value()}, run.wall_time_s.value_or(0)});
+    if (!stands || run.status != RunStatus::ok || !run.certified_lower) return;
+    const Interval own{*run.certified_lower, run.weight_upper.value()};
+    if (optimality_of(own) == Optimality::proved) found_.is_cached = false;
+    if (cache_ != nullptr) cache_->store(key_of(instance_, source), {own, run.wall_time_s.value_or(0)});
   }
 
   FoundOptimum finish() {
@@ -79,12 +93,16 @@ class Search {
     for (const AlgorithmInfo* source : sources_) {
       const std::optional<CachedOptimum> entry = cache_->find(key_of(instance_, *source));
       if (!entry) continue;
+      cached_keys_.push_back(key_of(instance_, *source));
       const OptimumClaim claim{source->name, cached_claimant(source->name), entry->interval};
       for (const Disproof& disproof : cached.add_claim(claim)) {
         found_.warnings.push_back(disproof.text() + "; the optimum is sought anew");
       }
     }
-    if (!found_.warnings.empty()) return;
+    if (!found_.warnings.empty()) {
+      cached_keys_.clear();
+      return;
+    }
     claims_ = cached;
     found_.is_cached = is_proved();
   }
@@ -93,7 +111,9 @@ class Search {
 
   [[nodiscard]] std::string standing_sources() const {
     std::vector<std::string> names;
-    for (const OptimumClaim& claim : claims_.standing()) names.push_back(claim.id);
+    for (const OptimumClaim& claim : claims_.standing()) {
+      if (std::ranges::find(names, claim.id) == names.end()) names.push_back(claim.id);
+    }
     return joined(names, "+");
   }
 
@@ -102,6 +122,7 @@ class Search {
   OptimumCache* cache_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::size_t next_ = 0;
+  std::vector<OptimumKey> cached_keys_;
   OptimumClaims claims_;
   FoundOptimum found_;
 };
@@ -114,30 +135,73 @@ Request request_for(const AlgorithmInfo& source, double time_limit_s) {
   return request;
 }
 
-// One source after the other, each in a process; alive as long as one of them runs.
-struct IsolatedSearch : std::enable_shared_from_this<IsolatedSearch> {
-  ProcessPool& pool;
-  std::shared_ptr<const Instance> instance;
-  Search search;
-  RunLimits limits;
-  std::function<void(FoundOptimum)> when_done;
+// One source after the other, each in a process, and then the verifier; alive as long as one of them runs.
+class IsolatedSearch : public std::enable_shared_from_this<IsolatedSearch> {
+ public:
+  IsolatedSearch(ProcessPool& pool, OptimumRequest request, std::function<void(FoundOptimum)> when_done)
+      : pool_(pool),
+        request_(std::move(request)),
+        when_done_(std::move(when_done)),
+        search_(*request_.instance, request_.sources, request_.cache, request_.known),
+        proof_(request_.proof_file, request_.cache) {}
 
-  IsolatedSearch(ProcessPool& the_pool, std::shared_ptr<const Instance> the_instance, Search the_search)
-      : pool(the_pool), instance(std::move(the_instance)), search(std::move(the_search)) {}
+  void run() {
+    proof_.begin(search_.cached_keys());
+    run_next_source();
+  }
 
+ private:
   void run_next_source() {
-    const AlgorithmInfo* source = search.next_source();
+    const AlgorithmInfo* source = search_.next_source(proof_.is_missing());
     if (source == nullptr) {
-      when_done(search.finish());
+      check_proof();
       return;
     }
     const Timing once{1e-9, false};
-    start_isolated_run(pool, request_for(*source, limits.time_s), *instance, limits, once,
-                       [self = shared_from_this(), source](const RatedRun& run) {
-                         self->search.add(*source, run);
-                         self->run_next_source();
-                       });
+    start_isolated_run(
+        pool_, request_for(*source, request_.limits.time_s), *request_.instance, request_.limits, once,
+        [self = shared_from_this(), source](const RatedRun& run) { self->add(*source, run); },
+        proof_.candidate_of(*source));
   }
+
+  void add(const AlgorithmInfo& source, const RatedRun& run) {
+    search_.add(source, run);
+    proof_.keep_if_better(key_of(*request_.instance, source), run);
+    run_next_source();
+  }
+
+  void check_proof() {
+    if (!proof_.exists()) {
+      when_done_(search_.finish());
+      return;
+    }
+    start_proof_check(pool_, *request_.instance, proof_.path(), request_.limits,
+                      [self = shared_from_this()](const ProofCheck& check) { self->finish(check); });
+  }
+
+  void finish(ProofCheck check) {
+    if (proof_.must_be_made_anew(check)) {
+      run_next_source();
+      return;
+    }
+    const std::optional<Interval> bounds = search_.bounds();
+    if (check.interval && bounds && !overlap(*check.interval, *bounds)) {
+      check.verdict = ProofVerdict::refused;
+      check.note = fmt::format("it proves an optimum between {} and {}, the solvers one between {} and {}",
+                               number_text(check.interval->lower), number_text(check.interval->upper),
+                               number_text(bounds->lower), number_text(bounds->upper));
+    }
+    proof_.cache_if_new(check);
+    FoundOptimum found = search_.finish();
+    found.proof = std::move(check);
+    when_done_(std::move(found));
+  }
+
+  ProcessPool& pool_;
+  OptimumRequest request_;
+  std::function<void(FoundOptimum)> when_done_;
+  Search search_;
+  SoughtProof proof_;
 };
 
 const AlgorithmInfo& exact_algorithm(const Catalogue& catalogue, const OptimumSource& source) {
@@ -175,20 +239,14 @@ OptimumKey optimum_key(const std::string& instance_id, const AlgorithmInfo& solv
   return {instance_id, solver.name, solver.version, parameters.canonical()};
 }
 
-void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
-                  std::vector<const AlgorithmInfo*> sources, const RunLimits& limits, OptimumCache* cache,
-                  const std::optional<KnownWeight>& known, std::function<void(FoundOptimum)> when_done) {
-  Search search(*instance, std::move(sources), cache, known);
-  const auto isolated = std::make_shared<IsolatedSearch>(pool, std::move(instance), std::move(search));
-  isolated->limits = limits;
-  isolated->when_done = std::move(when_done);
-  isolated->run_next_source();
+void seek_optimum(ProcessPool& pool, OptimumRequest request, std::function<void(FoundOptimum)> when_done) {
+  std::make_shared<IsolatedSearch>(pool, std::move(request), std::move(when_done))->run();
 }
 
 FoundOptimum seek_optimum_here(const Instance& instance, const std::vector<const AlgorithmInfo*>& sources,
                                double time_limit_s) {
   Search search(instance, sources, nullptr, std::nullopt);
-  while (const AlgorithmInfo* source = search.next_source()) {
+  while (const AlgorithmInfo* source = search.next_source(false)) {
     RatedRun run;
     try {
       run = judged(*source, instance.set.points, execute_once(request_for(*source, time_limit_s), instance.set.points));

@@ -10,6 +10,7 @@
 #include "harness/rating/isolated_run.h"
 #include "harness/rating/optimum_cache.h"
 #include "harness/rating/optimum_claims.h"
+#include "harness/rating/proof_check.h"
 #include "harness/run/catalogue.h"
 #include "harness/run/execution.h"
 #include "harness/run/process_pool.h"
@@ -34,6 +35,7 @@ struct FoundOptimum {
   std::string note;        ///< without a proved optimum, the outcome of each source that ran; kCachedNote if cached
   std::vector<std::string> contradictions{};  ///< claims of sources that a triangulation disproves; in the note, too
   std::vector<std::string> warnings{};        ///< about entries of the cache that are ignored
+  std::optional<ProofCheck> proof{};          ///< of the proof, if one was asked for and is there
 };
 
 /// The algorithms to run for the optimum of n points, in order: those of `sources` whose limits admit n, or, if that
@@ -48,14 +50,27 @@ struct FoundOptimum {
 [[nodiscard]] OptimumKey optimum_key(const std::string& instance_id, const AlgorithmInfo& solver,
                                      const Parameters& parameters);
 
+/// What to do for the optimum of an instance.
+struct OptimumRequest {
+  std::shared_ptr<const Instance> instance;
+  std::vector<const AlgorithmInfo*> sources;
+  RunLimits limits;                    ///< of each source, and of the verifier
+  OptimumCache* cache = nullptr;       ///< null: no cache
+  std::optional<KnownWeight> known{};  ///< a checked triangulation
+  std::string proof_file{};            ///< where the proof goes; empty: none is asked for
+};
+
 /// Runs one source after the other, each in a process of its own, until one proves the optimum; bounds from those that
 /// do not are kept and combined. What the cache has for any of the sources comes first, what one of them proves goes
-/// into it; null: no cache. Claims that a triangulation disproves, the known one or that of another source, do not
+/// into it. Claims that a triangulation disproves, the known one or that of another source, do not
 /// count; if one of them is in the cache, nothing there counts, the optimum is sought anew, and what is disproved in
-/// the end is removed from it. Precondition: the pool is not full.
-void seek_optimum(ProcessPool& pool, std::shared_ptr<const Instance> instance,
-                  std::vector<const AlgorithmInfo*> sources, const RunLimits& limits, OptimumCache* cache,
-                  const std::optional<KnownWeight>& known, std::function<void(FoundOptimum)> when_done);
+/// the end is removed from it.
+///
+/// If a proof is asked for, the source that certifies most writes one, and the verifier checks it in the end; one that
+/// it accepts goes into the cache. A cached optimum without a proof, or with one that the verifier does not accept, is
+/// sought anew by the first source that has proofs. An earlier proof_file is replaced or removed. Precondition: the
+/// pool is not full.
+void seek_optimum(ProcessPool& pool, OptimumRequest request, std::function<void(FoundOptimum)> when_done);
 
 /// The same in this process, without limits but the deadline of each source, and without a cache.
 [[nodiscard]] FoundOptimum seek_optimum_here(const Instance& instance, const std::vector<const AlgorithmInfo*>& sources,

@@ -1,9 +1,12 @@
 #include "harness/rating/rated_run.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "base/number_text.h"
 #include "geometry/checker.h"
 #include "geometry/convex_hull.h"
 #include "geometry/weight.h"
@@ -14,6 +17,7 @@ namespace mwt {
 namespace {
 
 constexpr std::size_t kMaxMessage = 1000;
+constexpr std::string_view kClaimed = "claimed";
 
 // The results of the checker and of the certified sums for a triangulation.
 struct Judgement {
@@ -55,6 +59,7 @@ void fill_in_solution(RatedRun& run, const Solution& solution, const Judgement& 
   run.stop_reason = solution.stop_reason;
   run.triangulation_count = solution.count.value_or("");
   run.counters.assign(solution.counters.begin(), solution.counters.end());
+  run.claimed_lower = solution.claimed_lower;
 }
 
 void clear_rating(RatedRun& run) {
@@ -97,7 +102,13 @@ void rate(RatedRun& run, const std::optional<Interval>& optimum) {
   if (run.status != RunStatus::ok) return;
   clear_rating(run);
   const Interval weight{run.weight_lower.value(), run.weight_upper.value()};
-  run.optimality = name_of(optimality_of(optimum));
+  if (const double known = optimum ? optimum->upper : weight.upper; run.claimed_lower > known) {
+    run.delaunay_time_s.reset();
+    return fail(run, RunStatus::error,
+                fmt::format("it claims that no triangulation weighs less than {}, but one weighs {}",
+                            number_text(*run.claimed_lower), number_text(known)));
+  }
+  run.optimality = !optimum && run.claimed_lower ? kClaimed : name_of(optimality_of(optimum));
   run.optimal = name_of(is_optimal(weight, optimum));
   if (!optimum) return;
   const Interval alpha = alpha_of(weight, *optimum);

@@ -51,6 +51,7 @@ struct RatedRun {
   NamedNumbers counters;
   std::optional<double> delaunay_time_s;
   std::optional<StopReason> stop_reason;
+  std::optional<double> claimed_lower;  ///< a lower bound that the algorithm states and nobody certifies
 };
 
 /// What an execution of `algorithm` cost and returned: the checker's verdict, the certified weight, and the lower bound
@@ -61,7 +62,8 @@ struct RatedRun {
 
 /// Fills in optimum, optimality, alpha and optimal of a run that is ok, given what is certified about the optimum;
 /// other runs stay as they are. Nothing else computes an alpha. Precondition: the optimum, if any, does not contradict
-/// the run's weight.
+/// the run's weight. A claimed lower bound gives no alpha: without an optimum, optimality is then "claimed"; one that
+/// is above the optimum's upper end is disproved, and the run becomes an error.
 void rate(RatedRun& run, const std::optional<Interval>& optimum);
 
 /// Adds what a run that is ok certifies, its weight and its bound, under `id`; `whose` is for messages. Returns the
@@ -128,6 +130,7 @@ template <class Record>
       column<Record>("counters", &R::counters),
       time_column<Record>("delaunay_time_s", &R::delaunay_time_s),
       column<Record>("stop_reason", &R::stop_reason),
+      column<Record>("claimed_lower", &R::claimed_lower),
   };
 }
 

@@ -58,6 +58,8 @@ void reject(InstanceRecord& record, const Disproof& disproof) {
   record.optimality = name_of(Optimality::none);
   record.optimum_source.clear();
   record.optimum_note = disproof.text();
+  record.verified.reset();
+  record.proof_note.clear();
 }
 
 std::vector<Disproof> reject_disproved(std::vector<RunRecord>& runs, std::vector<InstanceRecord>& instances) {

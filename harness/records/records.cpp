@@ -57,6 +57,10 @@ const std::vector<Column<InstanceRecord>>& instance_columns() {
       column<R>("optimum_source", &R::optimum_source),
       time_column<R>("optimum_time_s", &R::optimum_time_s),
       column<R>("optimum_note", &R::optimum_note),
+      column<R>("verified", &R::verified),
+      column<R>("proof_note", &R::proof_note),
+      time_column<R>("verify_time_s", &R::verify_time_s),
+      column<R>("proof_bytes", &R::proof_bytes),
   };
   return columns;
 }

@@ -11,14 +11,17 @@
 
 #include "geometry/point.h"
 #include "harness/io/columns.h"
+#include "harness/rating/proof_check.h"
 #include "harness/rating/rated_run.h"
 
 namespace mwt {
 
 inline constexpr int kSchemaVersion = 3;
 
-/// The columns that every runs.csv and environments.csv of this version begins with; those after them were added later.
+/// The columns that every runs.csv, instances.csv and environments.csv of this version begins with; those after them
+/// were added later.
 inline constexpr std::size_t kFirstRunColumns = 43;
+inline constexpr std::size_t kFirstInstanceColumns = 18;
 inline constexpr std::size_t kFirstEnvironmentColumns = 20;
 
 /// One repetition of one algorithm on one instance: what was run, and what came of it.
@@ -63,6 +66,10 @@ struct InstanceRecord {
   std::string optimum_source;
   std::optional<double> optimum_time_s;
   std::string optimum_note;
+  std::optional<ProofVerdict> verified;  ///< what the verifier says of the proof
+  std::string proof_note;
+  std::optional<double> verify_time_s;
+  std::optional<std::uint64_t> proof_bytes;
 };
 
 /// The machine, the program and the state of both when a `mwt run` began.

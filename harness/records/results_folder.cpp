@@ -171,7 +171,7 @@ void FolderLock::sync() const { static_cast<void>(fsync(descriptor_)); }
 // Everything is looked at before anything is written.
 ResultsFolder::ResultsFolder(const std::string& path, const std::string& study, const std::string& study_file,
                              bool resume)
-    : lock_(path) {
+    : path_(path), lock_(path) {
   if (!resume) require_empty(path, "continue its study with --resume or choose another folder with --out");
   const bool has_study_file = require_this_study(path, study_file);
   const auto open_file = [&](const char* name, const CsvRow& header) {
@@ -247,14 +247,26 @@ std::vector<std::string> ResultsFolder::warnings() const {
 
 namespace {
 
+// Files of earlier builds lack the columns that were added since: their fields are empty.
 template <class Record>
 std::vector<Record> read_file_of_records(const std::string& folder, const char* name,
-                                         const std::vector<Column<Record>>& columns,
+                                         const std::vector<Column<Record>>& columns, std::size_t first_columns,
                                          std::vector<std::string>& warnings) {
   const std::string file = in_folder(folder, name);
   const std::string content = read_regular_file(file);
   std::vector<CsvRow> rows = parse_csv(content);
-  require_header(file, rows, header_of(columns));
+  const CsvRow header = header_of(columns);
+  const bool is_of_earlier_build = !rows.empty() && rows.front().size() >= first_columns &&
+                                   rows.front().size() < header.size() &&
+                                   std::equal(rows.front().begin(), rows.front().end(), header.begin());
+  if (is_of_earlier_build) {
+    const std::size_t known = rows.front().size();
+    for (CsvRow& row : rows) {
+      if (row.size() == known) row.resize(header.size());  // another size is a malformed row
+    }
+    rows.front() = header;
+  }
+  require_header(file, rows, header);
   const std::string warning = warning_about_last_line(file, content);
   if (!warning.empty()) warnings.push_back(warning);
   rows.erase(rows.begin());
@@ -273,7 +285,7 @@ void write_file_of_records(const std::string& folder, const char* name, const st
 
 std::vector<RunRecord> read_runs(const std::string& folder) {
   std::vector<std::string> ignored;
-  std::vector<RunRecord> runs = read_file_of_records(folder, kRuns, run_columns(), ignored);
+  std::vector<RunRecord> runs = read_file_of_records(folder, kRuns, run_columns(), kFirstRunColumns, ignored);
   require_each_once(runs, in_folder(folder, kRuns));
   return runs;
 }
@@ -281,10 +293,12 @@ std::vector<RunRecord> read_runs(const std::string& folder) {
 StudyRecords read_records(const std::string& folder) {
   StudyRecords records;
   records.study_file = read_regular_file(in_folder(folder, kStudyFile));
-  records.runs = read_file_of_records(folder, kRuns, run_columns(), records.warnings);
+  records.runs = read_file_of_records(folder, kRuns, run_columns(), kFirstRunColumns, records.warnings);
   require_each_once(records.runs, in_folder(folder, kRuns));
-  records.instances = read_file_of_records(folder, kInstances, instance_columns(), records.warnings);
-  records.environments = read_file_of_records(folder, kEnvironments, environment_columns(), records.warnings);
+  records.instances =
+      read_file_of_records(folder, kInstances, instance_columns(), kFirstInstanceColumns, records.warnings);
+  records.environments =
+      read_file_of_records(folder, kEnvironments, environment_columns(), kFirstEnvironmentColumns, records.warnings);
   return records;
 }
 

@@ -40,6 +40,8 @@ class ResultsFolder {
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
 
+  [[nodiscard]] const std::string& path() const { return path_; }
+
   void append(const RunRecord& record);
   void append(const InstanceRecord& record);
   void append(const EnvironmentRecord& record);
@@ -60,6 +62,7 @@ class ResultsFolder {
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
+  std::string path_;
   FolderLock lock_;
   std::unique_ptr<CsvFile> run_file_;
   std::unique_ptr<CsvFile> instance_file_;
@@ -81,7 +84,8 @@ struct StudyRecords {
   std::vector<std::string> warnings{};  ///< about the files, for the user
 };
 
-/// Complete rows only, so that a study may be running there meanwhile. Throws InputError as read_runs().
+/// Complete rows only, so that a study may be running there meanwhile. Folders of earlier builds of this schema version
+/// are read, too; columns that they lack are empty. Throws InputError as read_runs().
 [[nodiscard]] StudyRecords read_records(const std::string& folder);
 
 /// Makes a results folder; runs.csv last, so that none is half there. Throws InputError: it holds something already, or

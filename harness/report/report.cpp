@@ -9,6 +9,7 @@
 #include "harness/report/failures.h"
 #include "harness/report/growth_laws.h"
 #include "harness/report/machines.h"
+#include "harness/report/optima.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
 #include "harness/study/study.h"
@@ -51,12 +52,24 @@ void write_exponents(const ReportData& data, std::ostream& out) {
   write(data, "exponents.csv", exponents_csv(data.records.runs.front().study, data.growth, data.labels), out);
 }
 
+void write_optima(const ReportData& data, std::ostream& out) {
+  write(data, "optima.csv", optima_csv(data.records.runs.front().study, data.optima, data.labels), out);
+}
+
 void write_ratings(const ReportData& data, std::ostream& out) {
   write(data, "ratings.csv", ratings_csv(data.records.runs.front().study, data.records.runs), out);
 }
 
+void print_optima(const ReportData& data, std::ostream& out) {
+  const std::string table = optimum_table(data.optima);
+  if (!table.empty()) out << table << '\n';
+}
+
+void print_optimum_summary(const ReportData& data, std::ostream& out) { out << optimum_summary(data.optima) << '\n'; }
+
 void print_failures(const ReportData& data, std::ostream& out) {
-  for (const std::string& table : {failure_table(data.records.runs), stopped_early_table(data.records.runs)}) {
+  for (const std::string& table : {failure_table(data.records.runs), rejected_proof_table(data.records.instances),
+                                   stopped_early_table(data.records.runs)}) {
     if (!table.empty()) out << table << '\n';
   }
 }
@@ -79,18 +92,25 @@ ReportData read_report_data(const std::string& folder) {
   std::vector<Cell> cells = cells_of(records.runs);
   std::vector<CellSummary> summaries = summarise(cells);
   std::vector<SeriesGrowth> growth = growth_of(cells);
+  std::vector<OptimumCell> optima = optima_of(records);
   Labels labels(cells);
-  return {folder,           std::move(records),   std::move(warnings),
-          std::move(cells), std::move(summaries), std::move(growth),
+  return {folder,
+          std::move(records),
+          std::move(warnings),
+          std::move(cells),
+          std::move(summaries),
+          std::move(growth),
+          std::move(optima),
           std::move(labels)};
 }
 
 std::vector<ReportPart> report_tables() {
-  return {print_warnings, print_cells, print_growth, print_growth_laws, print_algorithms, print_failures};
+  return {print_warnings, print_cells, print_growth, print_growth_laws, print_algorithms, print_optima, print_failures};
 }
 
 std::vector<ReportPart> report_results() {
-  return {print_warnings, write_summary, write_exponents, write_ratings, judge_source_report};
+  return {print_warnings, print_optimum_summary, write_summary,      write_exponents,
+          write_optima,   write_ratings,         judge_source_report};
 }
 
 }  // namespace mwt

@@ -10,6 +10,7 @@
 #include "harness/report/cell_summary.h"
 #include "harness/report/growth.h"
 #include "harness/report/labels.h"
+#include "harness/report/optima.h"
 
 namespace mwt {
 
@@ -21,6 +22,7 @@ struct ReportData {
   std::vector<Cell> cells;
   std::vector<CellSummary> summaries;
   std::vector<SeriesGrowth> growth;
+  std::vector<OptimumCell> optima;
   Labels labels;
 };
 

@@ -149,6 +149,32 @@ std::string exponents_csv(const std::string& study, const std::vector<SeriesGrow
   return csv_table(study, growth_columns(labels), rows);
 }
 
+std::string optima_csv(const std::string& study, const std::vector<OptimumCell>& optima, const Labels& labels) {
+  using Row = OptimumCell;
+  const auto verdict = [](ProofVerdict kind) {
+    return [kind](const Row& row) { return std::to_string(row.count(kind)); };
+  };
+  Columns<Row> columns = {
+      {"generator", [](const Row& row) { return row.generator; }},
+      {"generator_params", [](const Row& row) { return row.generator_params; }},
+      {"n", [](const Row& row) { return std::to_string(row.n); }},
+      {"instances", [](const Row& row) { return std::to_string(row.instances); }},
+      {"proved", [](const Row& row) { return std::to_string(row.proved); }},
+      {"without_bounds", [](const Row& row) { return std::to_string(row.without_bounds); }},
+      {"max_relative_width", [](const Row& row) { return number_text(row.widest); }},
+      {"verified", verdict(ProofVerdict::optimal)},
+      {"verified_bounds", verdict(ProofVerdict::bounded)},
+      {"refused", verdict(ProofVerdict::refused)},
+      {"no_verdict", verdict(ProofVerdict::failed)},
+      {"max_time_s", [](const Row& row) { return text_of(row.time_s); }},
+      {"max_peak_rss_bytes",
+       [](const Row& row) { return row.peak_rss_bytes ? std::to_string(*row.peak_rss_bytes) : ""; }},
+      {"family", [&](const Row& row) {
+         return labels.family({row.generator, row.generator_params, "", "", row.n});
+       }}};
+  return csv_table(study, columns, optima);
+}
+
 std::string ratings_csv(const std::string& study, const std::vector<RunRecord>& runs) {
   Columns<RunRecord> columns;
   columns.emplace_back("run_id", [](const RunRecord& run) { return run.run_id; });

@@ -16,11 +16,13 @@
 #include <cstring>
 #include <ctime>
 #include <exception>
+#include <memory>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "harness/io/text/text.h"
+#include "harness/run/machine/orphans.h"
 #include "harness/run/machine/proc_file.h"
 
 namespace mwt {
@@ -119,6 +121,7 @@ Clock::duration duration_of(double seconds) {
 
 struct ProcessPool::Child {
   pid_t pid = 0;
+  std::unique_ptr<AwaitedChild> awaited;
   int exit_watch = -1;  // readable when the process has ended
   int output_pipe = -1;
   int error_pipe = -1;
@@ -171,6 +174,8 @@ struct ProcessPool::Child {
     int status = 0;
     while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
     }
+    awaited.reset();
+    kill_orphans();  // and what has left the group
     read_pipes();
     close_all();
     return result_for(status);
@@ -192,14 +197,16 @@ struct ProcessPool::Child {
   }
 };
 
-ProcessPool::ProcessPool(int capacity) : capacity_(capacity) {}
+ProcessPool::ProcessPool(int capacity) : capacity_(capacity) { adopt_orphans(); }
 
 ProcessPool::~ProcessPool() {
   for (Child& child : children_) {
     child.stop();
     waitpid(child.pid, nullptr, 0);
+    child.awaited.reset();
     child.close_all();
   }
+  kill_orphans();
 }
 
 void ProcessPool::start(const Work& work, const ProcessLimits& limits, WhenDone when_done) {
@@ -214,6 +221,7 @@ void ProcessPool::start(const Work& work, const ProcessLimits& limits, WhenDone 
   close(errors.write_end);
   Child child;
   child.pid = pid;
+  child.awaited = std::make_unique<AwaitedChild>(pid);
   child.exit_watch = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
   child.output_pipe = output.read_end;
   child.error_pipe = errors.read_end;

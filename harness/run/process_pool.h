@@ -30,7 +30,8 @@ struct ProcessResult {
 };
 
 /// Runs up to `capacity` pieces of work side by side. The children see the parent's memory as it was at start();
-/// nothing they do changes it. Their standard input and output are /dev/null. They die with the parent.
+/// nothing they do changes it. Their standard input and output are /dev/null. They die with the parent. When one ends,
+/// whatever it started ends, too.
 ///
 /// Precondition: the calling process is single-threaded (fork). Linux.
 class ProcessPool {

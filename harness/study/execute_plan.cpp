@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "harness/io/given_triangulation.h"
 #include "harness/rating/isolated_run.h"
+#include "harness/records/proof_folder.h"
 #include "harness/run/interrupt.h"
 #include "harness/run/process_pool.h"
 
@@ -43,6 +44,7 @@ class PlanExecution {
       : plan_(plan),
         catalogue_(catalogue),
         context_(context),
+        folder_(folder),
         cache_(cache),
         progress_(progress),
         results_(results),
@@ -174,14 +176,23 @@ class PlanExecution {
   }
 
   void seek(std::size_t position, const SharedInstance& instance) {
-    seek_optimum(pool_, instance, sources_for(*instance), context_.study.optimum_limits, cache_,
-                 results_.lightest_of(instance->id), [this, position, instance](const FoundOptimum& found) {
-                   record(plan_.instances[position], *instance, found);
-                   for (const auto& [same_points, made] : std::exchange(waiting_[instance->id], {})) {
-                     make_ready(same_points, made);
-                   }
-                   waiting_.erase(instance->id);
-                 });
+    const OptimumRequest request{instance,
+                                 sources_for(*instance),
+                                 context_.study.optimum_limits,
+                                 cache_,
+                                 results_.lightest_of(instance->id),
+                                 proof_file_for(*instance)};
+    seek_optimum(pool_, request, [this, position, instance](const FoundOptimum& found) {
+      record(plan_.instances[position], *instance, found);
+      for (const auto& [same_points, made] : std::exchange(waiting_[instance->id], {})) make_ready(same_points, made);
+      waiting_.erase(instance->id);
+    });
+  }
+
+  // Empty if the study asks for none.
+  [[nodiscard]] std::string proof_file_for(const Instance& instance) const {
+    const bool is_asked_for = instance.set.points.size() <= context_.study.max_proof_n;
+    return is_asked_for ? proof_file(folder_.path(), instance.id) : "";
   }
 
   [[nodiscard]] std::vector<const AlgorithmInfo*> sources_for(const Instance& instance) const {
@@ -195,7 +206,9 @@ class PlanExecution {
       progress_.announce("warning: " + planned.label() + ": " + warning);
     }
     const bool is_well = results_.add(row_of(context_, planned, instance, found), found.contradictions);
-    progress_.advance(!is_well, planned.label());
+    const bool is_refused = found.proof && found.proof->verdict == ProofVerdict::refused;
+    if (is_refused) progress_.announce(planned.label() + ": the verifier refuses the proof: " + found.proof->note);
+    progress_.advance(!is_well || is_refused, planned.label());
   }
 
   void start(const ReadyRun& ready) {
@@ -255,6 +268,7 @@ class PlanExecution {
   const Plan& plan_;
   const Catalogue& catalogue_;
   const RowContext& context_;
+  const ResultsFolder& folder_;
   OptimumCache* cache_;
   Progress& progress_;
   StudyResults& results_;

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "harness/io/text/text.h"
 #include "harness/records/known_optima.h"
+#include "harness/records/proof_folder.h"
 #include "harness/records/results_folder.h"
 #include "harness/study/plan.h"
 
@@ -181,6 +182,7 @@ MergeOutcome merge_results(const MergeOptions& options, const Catalogue& catalog
   const Study study = read_study(options.folders.front() + "/study.toml", options.instance_folder);
   MergedRecords merged = Merger(parts, make_plan(study, catalogue)).merge();
   write_records(options.target, merged.records);
+  copy_proofs(options.folders, options.target, merged.records.instances);
   MergeOutcome outcome;
   outcome.runs = merged.records.runs.size();
   outcome.contradictions = std::move(merged.contradictions);

@@ -108,7 +108,7 @@ class Planner {
   struct AlgorithmTemplate {
     PlannedRun run;  // instance, repetition and id still open
     std::vector<std::string> families;
-    std::string start_hash;  // of the content of the file to start from
+    std::string content_hash;  // of the file to start from, or of a command
 
     [[nodiscard]] bool takes(const std::string& family) const {
       return families.empty() || std::find(families.begin(), families.end(), family) != families.end();
@@ -116,7 +116,7 @@ class Planner {
   };
 
   void add_algorithm(const AlgorithmChoice& choice) {
-    const AlgorithmInfo& info = catalogue_.algorithm(choice.name);
+    const AlgorithmInfo& info = algorithm_named(choice.name, study_.commands, catalogue_);
     for (const std::string& family : choice.families) static_cast<void>(catalogue_.generator(family));
     PlannedRun run;
     run.algorithm = &info;
@@ -125,8 +125,11 @@ class Planner {
     if (const auto file = start_file_of(info, run.parameters)) {
       run.start_file = (std::filesystem::path(study_.folder) / *file).string();
     }
-    const std::string start_hash = run.start_file ? sha256_of_file(*run.start_file) : "";
-    algorithms_.push_back({std::move(run), choice.families, start_hash});
+    std::string content_hash = run.start_file ? sha256_of_file(*run.start_file) : "";
+    for (const StudyCommand& command : study_.commands) {
+      if (&command.info == &info) content_hash = command.content_hash;
+    }
+    algorithms_.push_back({std::move(run), choice.families, std::move(content_hash)});
   }
 
   void add_family(const FamilyChoice& choice) {
@@ -193,7 +196,7 @@ class Planner {
       run.repetition = repetition;
       std::string run_key =
           joined({instance_key, run.algorithm->name, run.parameters.canonical(), std::to_string(repetition)}, "\n");
-      if (run.start_file) run_key += '\n' + algorithm.start_hash;
+      if (!algorithm.content_hash.empty()) run_key += '\n' + algorithm.content_hash;
       run.run_id = short_hash(run_key);
       if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
     }

@@ -11,6 +11,9 @@ RunRecord row_of(const RowContext& context, const PlannedInstance& instance, con
   const Study& study = context.study;
   RunRecord record;
   static_cast<RatedRun&>(record) = std::move(run);
+  const auto start = context.command_starts.find(planned.algorithm->name);
+  if (start != context.command_starts.end() && record.status == RunStatus::ok)
+    record.counters.emplace_back("start_time_s", start->second);
   record.run_id = planned.run_id;
   record.study = study.name;
   record.env_id = context.environment.env_id;
@@ -53,6 +56,12 @@ InstanceRecord row_of(const RowContext& context, const PlannedInstance& planned,
   record.optimum_source = found.source;
   record.optimum_time_s = found.time_s;
   record.optimum_note = found.note;
+  if (found.proof) {
+    record.verified = found.proof->verdict;
+    record.proof_note = found.proof->note;
+    record.verify_time_s = found.proof->time_s;
+    record.proof_bytes = found.proof->bytes;
+  }
   return record;
 }
 

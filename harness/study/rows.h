@@ -1,6 +1,7 @@
 // The rows of a study's records: what was planned, joined with what came of it.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "harness/rating/optimum_search.h"
@@ -13,6 +14,7 @@ namespace mwt {
 struct RowContext {
   const Study& study;
   const EnvironmentRecord& environment;
+  std::map<std::string, double> command_starts{};  ///< seconds, by the names of commands (command_starts.h)
 };
 
 /// The row of a run, recorded now. `instance_id` is empty if there was no instance.

@@ -10,8 +10,10 @@
 #include "base/error.h"
 #include "harness/rating/optimum_search.h"
 #include "harness/records/environment.h"
+#include "harness/records/proof_folder.h"
 #include "harness/run/interrupt.h"
 #include "harness/run/machine/machine_watch.h"
+#include "harness/study/command_starts.h"
 #include "harness/study/execute_plan.h"
 #include "harness/study/study_results.h"
 
@@ -88,6 +90,7 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   require_planned(options, folder, whole);
   require_same_build(options, folder, plan, environment);
   folder.append(environment);
+  if (study.max_proof_n > 0) prepare_proof_folder(options.folder);
   announce_plan(study, options, plan, folder, environment, out);
 
   const InterruptWatch interrupt_watch;
@@ -100,7 +103,8 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   }
   OptimumCache* const cache_if_any = cache ? &*cache : nullptr;
   StudyResults results(folder, cache_if_any, announce);
-  execute_plan(plan, catalogue, {study, environment}, folder, options.jobs, cache_if_any, progress, results);
+  const RowContext context{study, environment, measure_command_starts(study, plan, announce)};
+  execute_plan(plan, catalogue, context, folder, options.jobs, cache_if_any, progress, results);
   progress.finish();
   for (const std::string& warning : machine_watch.warnings()) out << "  warning: " << warning << '\n';
   StudyOutcome outcome = results.outcome();

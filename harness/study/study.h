@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/algorithm.h"
 #include "geometry/point.h"
 #include "harness/rating/isolated_run.h"
 #include "harness/rating/optimum_search.h"
+#include "harness/run/catalogue.h"
 #include "harness/study/instance_files.h"
 
 namespace mwt {
@@ -32,6 +34,12 @@ struct AlgorithmChoice {
   std::vector<std::string> families{};  ///< run on these alone; empty: on all of the study
 };
 
+/// An algorithm of the study's own: a command.
+struct StudyCommand {
+  AlgorithmInfo info;
+  std::string content_hash;  ///< of the command and the files that it names
+};
+
 struct Study {
   std::string name;
   std::string summary;
@@ -42,6 +50,7 @@ struct Study {
   std::vector<Index> sizes;
   std::vector<std::uint64_t> seeds = {1};
   std::vector<AlgorithmChoice> algorithms;
+  std::vector<StudyCommand> commands;  ///< of those among them that have one, in the order of the file
   int repetitions = 1;
   int threads = 1;
   double min_time_s = 0.005;  ///< CPU time; shorter executions are repeated until they fill it (repeated_timing.h)
@@ -49,6 +58,7 @@ struct Study {
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;
+  std::size_t max_proof_n = 0;                 ///< optima of at most so many points are proved in files and verified
   std::vector<OptimumSource> optimum_sources;  ///< run in this order; empty: every exact algorithm of the registry
 };
 
@@ -57,6 +67,14 @@ struct Study {
 /// or range, a missing key; an `instance_folder`, which replaces that of the study's point files, for a study without
 /// any. Names of families and algorithms are checked when the study is planned.
 [[nodiscard]] Study read_study(const std::string& path, const std::optional<std::string>& instance_folder = {});
+
+/// The commands among the algorithms of a study file, which needs to have no more than those. Throws InputError as
+/// read_study(), and if there is none.
+[[nodiscard]] std::vector<StudyCommand> read_commands(const std::string& path);
+
+/// The algorithm of that name: of the commands, else of the catalogue. Throws InputError as Catalogue::algorithm().
+[[nodiscard]] const AlgorithmInfo& algorithm_named(const std::string& name, const std::vector<StudyCommand>& commands,
+                                                   const Catalogue& catalogue);
 
 /// Whether a study of this content (of a study file, or of study.toml in results) is made to judge the source report's
 /// claims: its key `claims`. Throws InputError: not TOML.

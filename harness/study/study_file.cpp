@@ -6,12 +6,15 @@
 #include <filesystem>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <utility>
 
+#include "algorithms/registry.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "harness/io/input_file.h"
 #include "harness/io/text/text.h"
+#include "harness/run/command/command.h"
 #include "harness/study/study.h"
 
 namespace mwt {
@@ -204,6 +207,39 @@ void read_families(TableReader& reader, Study& study) {
   });
 }
 
+// The command of an algorithm of the study's own. Its folder counts from that of the study file.
+std::optional<ExternalCommand> read_command(TableReader& choice) {
+  if (choice.find("command") == nullptr) return std::nullopt;
+  namespace fs = std::filesystem;
+  ExternalCommand command;
+  choice.for_each_element("command",
+                          [&](const toml::node& node) { command.words.push_back(choice.text_of(node, "command")); });
+  const toml::node* const folder = choice.find("folder");
+  const fs::path here = fs::absolute(fs::path(choice.file()).parent_path());
+  command.folder = (here / (folder == nullptr ? "." : choice.text_of(*folder, "folder"))).lexically_normal().string();
+  if (const toml::node* const format = choice.find("points")) command.points_format = choice.text_of(*format, "points");
+  if (const toml::node* const node = choice.find("environment")) {
+    if (!node->is_table()) choice.fail(*node, "'environment' must be a table { NAME = \"value\" }");
+    for (const auto& [name, value] : *node->as_table())
+      command.environment[std::string(name.str())] = choice.text_of(value, "environment");
+  }
+  return command;
+}
+
+// Parameters of a command are those that the study gives it, with the first values as defaults.
+void add_command(const TableReader& choice, const std::string& name, const ExternalCommand& command,
+                 const std::vector<ParameterValues>& combinations, Study& study) {
+  const auto has_name = [&](const StudyCommand& other) { return other.info.name == name; };
+  try {
+    if (std::ranges::any_of(algorithms(), [&](const AlgorithmInfo& info) { return info.name == name; }))
+      throw InputError("an algorithm of mwt has this name; give your command another one");
+    if (std::ranges::any_of(study.commands, has_name)) throw InputError("two commands have this name");
+    study.commands.push_back({algorithm_of(name, command, combinations.front()), content_hash_of(command)});
+  } catch (const InputError& error) {
+    throw InputError(choice.place() + ": " + name + ": " + error.what());
+  }
+}
+
 void read_algorithms(TableReader& reader, Study& study) {
   for_each_choice(reader, "algorithms", "an algorithm", [&](TableReader& choice, const std::string& name) {
     std::optional<Index> max_n;
@@ -211,7 +247,10 @@ void read_algorithms(TableReader& reader, Study& study) {
     std::vector<std::string> families;
     choice.for_each_element("families",
                             [&](const toml::node& node) { families.push_back(choice.text_of(node, "families")); });
-    for (const ParameterValues& parameters : read_parameters(choice)) {
+    const std::vector<ParameterValues> combinations = read_parameters(choice);
+    if (const std::optional<ExternalCommand> command = read_command(choice))
+      add_command(choice, name, *command, combinations, study);
+    for (const ParameterValues& parameters : combinations) {
       study.algorithms.push_back({name, parameters, max_n, choice.place(), families});
     }
   });
@@ -225,9 +264,29 @@ void read_limits(TableReader& reader, RunLimits& limits) {
   });
 }
 
+// true, false, or { max_n = N }.
+void read_proofs(TableReader& reader, Study& study) {
+  const toml::node* const node = reader.find("proofs");
+  if (node == nullptr) return;
+  if (const toml::table* const table = node->as_table()) {
+    TableReader proofs(reader.file(), *table, "'proofs'", place_of(reader.file(), node->source()));
+    const toml::node* const max_n = proofs.find("max_n");
+    if (max_n == nullptr) proofs.fail(*node, "'proofs' must be true, false or { max_n = number of points }");
+    study.max_proof_n = index_of(proofs, *max_n, "max_n");
+    proofs.refuse_unknown_keys();
+  } else {
+    bool are_asked_for = false;
+    reader.read_flag("proofs", are_asked_for);
+    if (are_asked_for) study.max_proof_n = std::numeric_limits<std::size_t>::max();
+  }
+  if (study.max_proof_n > 0 && !study.seeks_optimum)
+    reader.fail(*node, "'proofs' are of optima, which this study does not seek; delete 'seek = false'");
+}
+
 void read_optimum(TableReader& reader, Study& study) {
   read_limits(reader, study.optimum_limits);
   reader.read_flag("seek", study.seeks_optimum);
+  read_proofs(reader, study);
   for_each_choice(reader, "sources", "an optimum source", [&](TableReader& choice, const std::string& name) {
     std::optional<Index> max_n;
     if (const toml::node* node = choice.find("max_n")) max_n = index_of(choice, *node, "max_n");
@@ -322,6 +381,25 @@ Study read_study(const std::string& path, const std::optional<std::string>& inst
   } catch (const toml::parse_error& error) {
     throw InputError(place_of(path, error.source()) + ": not valid TOML: " + one_line(error.description()));
   }
+}
+
+std::vector<StudyCommand> read_commands(const std::string& path) {
+  try {
+    const toml::table root = toml::parse(read_file(path));
+    Study study;
+    TableReader reader(path, root, "a study");
+    read_algorithms(reader, study);
+    if (study.commands.empty()) throw InputError(path + ": none of its 'algorithms' has a 'command'");
+    return std::move(study.commands);
+  } catch (const toml::parse_error& error) {
+    throw InputError(place_of(path, error.source()) + ": not valid TOML: " + one_line(error.description()));
+  }
+}
+
+const AlgorithmInfo& algorithm_named(const std::string& name, const std::vector<StudyCommand>& commands,
+                                     const Catalogue& catalogue) {
+  const auto found = std::ranges::find_if(commands, [&](const StudyCommand& one) { return one.info.name == name; });
+  return found == commands.end() ? catalogue.algorithm(name) : found->info;
 }
 
 bool judges_claims(const std::string& study_file) {

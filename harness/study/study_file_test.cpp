@@ -30,8 +30,27 @@ TEST(StudyFile, DefaultsAreFilledIn) {
   EXPECT_EQ(study.seeds, std::vector<std::uint64_t>{1});
   EXPECT_EQ(study.repetitions, 1);
   EXPECT_TRUE(study.seeks_optimum);
+  EXPECT_EQ(study.max_proof_n, 0u);
   EXPECT_FALSE(judges_claims(study.file_content));
   EXPECT_EQ(study.families.front().name, "*");
+}
+
+TEST(StudyFile, ProofsAreAskedForUpToASize) {
+  const auto max_proof_n = [](const std::string& proofs) {
+    return read(kMinimal + "sizes = [10]\n[optimum]\nproofs = " + proofs + "\n").max_proof_n;
+  };
+  EXPECT_EQ(max_proof_n("true"), std::numeric_limits<std::size_t>::max());
+  EXPECT_EQ(max_proof_n("false"), 0u);
+  EXPECT_EQ(max_proof_n("{ max_n = 10000 }"), 10000u);
+  const auto mistake = [](const std::string& optimum) {
+    return complaint(kMinimal + "sizes = [10]\n[optimum]\n" + optimum + "\n");
+  };
+  EXPECT_NE(mistake("proofs = 3").find("'proofs' must be"), std::string::npos) << mistake("proofs = 3");
+  EXPECT_NE(mistake("proofs = {}").find("'proofs' must be true, false or { max_n = number of points }"),
+            std::string::npos);
+  EXPECT_NE(mistake("proofs = { max_n = -1 }").find("max_n"), std::string::npos);
+  EXPECT_NE(mistake("proofs = { n = 3, max_n = 4 }").find("'n'"), std::string::npos);
+  EXPECT_NE(mistake("seek = false\nproofs = true").find("does not seek"), std::string::npos);
 }
 
 TEST(StudyFile, EverythingCanBeSaid) {

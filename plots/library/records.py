@@ -145,6 +145,11 @@ class Results:
         return self._read("summary.csv", "mwt report")
 
     @functools.cached_property
+    def optima(self):
+        """What is proved, one row per family and n."""
+        return self._read("optima.csv", "mwt report")
+
+    @functools.cached_property
     def laws(self):
         """{(family, label, measure): Law}, as `mwt report` fitted them; measures are "wall_time_s" and "alpha". Without the
         series in which a run stopped early: its time and alpha are those of the limit."""

@@ -1,7 +1,7 @@
 # Everything from Debian packages; setup/packages.txt lists them.
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL REQUIRED)
-find_package(Boost 1.74 REQUIRED)
+find_package(Boost 1.74 REQUIRED COMPONENTS iostreams)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(benchmark REQUIRED)
 find_package(GTest REQUIRED)

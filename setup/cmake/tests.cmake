@@ -35,7 +35,7 @@ mwt_add_tests(generators mwt_generators CGAL::CGAL)
 mwt_add_tests(algorithms mwt_algorithms mwt_generators mwt_shapes_for_tests)
 mwt_add_tests(verifier mwt_verifier Boost::headers MPFI::MPFI ZSTD::ZSTD OpenSSL::Crypto)
 # Boost, JSON and SQLite: to read results by other means than the harness's own.
-mwt_add_tests(harness mwt_harness mwt_shapes_for_tests Boost::headers nlohmann_json::nlohmann_json SQLiteCpp)
+mwt_add_tests(harness mwt_harness mwt_shapes_for_tests Boost::headers Boost::iostreams ZSTD::ZSTD nlohmann_json::nlohmann_json SQLiteCpp)
 # The harness's tests also run the programs as their users do.
 if(TARGET harness_test)
   target_compile_definitions(harness_test PRIVATE MWT_EXECUTABLE="$<TARGET_FILE:mwt>"

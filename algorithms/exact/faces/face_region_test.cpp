@@ -86,7 +86,7 @@ TEST(FaceRegion, FillsAndBoundsRegionsOfAllKinds) {
     const std::vector<FaceRegion> regions = regions_of(graph);
     ASSERT_EQ(regions.size(), 1);
     const FaceRegion& region = regions.front();
-    const RegionSolution unsolved = leave_unsolved(kPoints, region, StopReason::size);
+    const RegionSolution unsolved = leave_unsolved(kPoints, region, StopReason::size, {});
     expect_fills(region, unsolved.triangles, finished);
     EXPECT_FALSE(unsolved.solved);
     const RegionSolution solved = solve_region(kPoints, region, {});

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "algorithms/exact/bounds/balanced_bound.h"
 #include "algorithms/exact/division/crossing_candidates.h"
 #include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/faces/face_traversal.h"
@@ -30,8 +31,11 @@ struct SolvedPart : FacePart {
 
 class FaceSolver {
  public:
-  FaceSolver(CandidateGraph graph, Context& context)
-      : faces_(std::move(graph)), context_(context), solvers_([this] { return PolygonFaceSolver(faces_.graph()); }) {
+  FaceSolver(CandidateGraph graph, Context& context, const Deadline& bounds_deadline)
+      : faces_(std::move(graph)),
+        context_(context),
+        bounds_deadline_(bounds_deadline),
+        solvers_([this] { return PolygonFaceSolver(faces_.graph()); }) {
     if (context.progress) report_ = [&context](double done) { context.progress("faces", done); };
   }
 
@@ -45,13 +49,15 @@ class FaceSolver {
 
  private:
   void solve_walk(const Walk& walk, SolvedPart& part);
-  [[nodiscard]] double simple_lower_bound() const;
+  [[nodiscard]] RegionSolution solve(const FaceRegion& region, bool is_late) const;
+  [[nodiscard]] double bound_before_repair() const;
   void solve_regions();
   void assemble(FaceSolution& solution);
   [[nodiscard]] Interval optimum() const;
 
   FaceTraversal<SolvedPart> faces_;
   Context& context_;
+  Deadline bounds_deadline_;
   FaceProgress::Report report_;
   tbb::enumerable_thread_specific<PolygonFaceSolver> solvers_;
   std::vector<RegionSolution> regions_;
@@ -65,20 +71,34 @@ void FaceSolver::solve_polygons() {
 void FaceSolver::repair() {
   const auto crossing = find_crossing_candidates(faces_.graph(), faces_.open_candidates(), context_.deadline);
   if (!crossing) {
-    throw SearchStopped(StopReason::deadline, "the deadline passed before the faces were known", simple_lower_bound());
+    throw SearchStopped(StopReason::deadline, "the deadline passed before the faces were known", bound_before_repair());
   }
   faces_.remove_candidates(*crossing, [this](const Walk& walk, SolvedPart& part) { solve_walk(walk, part); });
 }
 
-// The certain edges and as many of the shortest candidates as there must be others.
-double FaceSolver::simple_lower_bound() const {
-  LengthSum certain;
-  for (const SolvedPart& part : faces_.parts()) certain.add(part.certain);
+// Polygons that are solved, and what the others are bounded by, all at once: candidates may cross certain edges. At
+// least the certain edges and as many of the shortest candidates as there must be others.
+double FaceSolver::bound_before_repair() const {
+  LengthSum certain, solved;
+  std::vector<const Walk*> open;
+  std::vector<Index> isolated;
+  for (const SolvedPart& part : faces_.parts()) {
+    certain.add(part.certain);
+    solved.add(part.solved.diagonals);
+    for (const auto* walks : {&part.composite_walks, &part.late_walks}) {
+      for (const Walk& walk : *walks) open.push_back(&walk);
+    }
+    isolated.insert(isolated.end(), part.isolated.begin(), part.isolated.end());
+  }
   const CandidateGraph& graph = faces_.graph();
+  FaceRegion region = make_region(graph, open, isolated);
+  const auto is_inside = [&](Index v) { return std::binary_search(region.vertices.begin(), region.vertices.end(), v); };
+  std::erase_if(region.candidates, [&](const Edge& edge) { return !is_inside(edge.a) || !is_inside(edge.b); });
+  const double others = next_down(solved.enclosure().lower + balanced_bound(graph.points, region, bounds_deadline_));
   const std::size_t edges = 3 * graph.points.size() - 3 - faces_.walker().outer_face_size();
   const std::size_t certain_edges = edges_marked(graph, 1).size();
   const Interval shortest = shortest_edges_length(graph.points, edges_marked(graph, 0), edges - certain_edges);
-  return std::max(0.0, next_down(certain.enclosure().lower + shortest.lower));
+  return std::max(0.0, next_down(certain.enclosure().lower + std::max(others, shortest.lower)));
 }
 
 FaceSolution FaceSolver::finish() {
@@ -104,7 +124,6 @@ void FaceSolver::solve_walk(const Walk& walk, SolvedPart& part) {
 }
 
 void FaceSolver::solve_regions() {
-  const Points points = faces_.graph().points;
   std::vector<FaceRegion> regions;
   for (const Walk& walk : faces_.take_late_walks()) regions.push_back(make_region(faces_.graph(), {&walk}, {}));
   late_regions_ = regions.size();
@@ -115,15 +134,27 @@ void FaceSolver::solve_regions() {
       tbb::blocked_range<std::size_t>(0, regions.size(), 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-          const bool is_late = i < late_regions_ || context_.deadline_passed();
-          regions_[i] = is_late ? leave_unsolved(points, regions[i], StopReason::deadline)
-                                : solve_region(points, regions[i], {context_.deadline});
+          regions_[i] = solve(regions[i], i < late_regions_ || context_.deadline_passed());
           if (!regions_[i].is_feasible())
             throw std::logic_error("candidate graph: a face has no triangulation by candidates");
           progress.advance();
         }
       },
       tbb::simple_partitioner());
+}
+
+RegionSolution FaceSolver::solve(const FaceRegion& region, bool is_late) const {
+  const Points points = faces_.graph().points;
+  if (is_late) return leave_unsolved(points, region, StopReason::deadline, bounds_deadline_);
+  RegionSearch search{context_.deadline};
+  search.bounds_deadline = bounds_deadline_;
+  RegionSolution solution = solve_region(points, region, search);
+  const bool is_open = !solution.solved && solution.is_feasible();
+  if (is_open) {
+    const double bound = balanced_bound(points, region, bounds_deadline_);
+    solution.lower_bound = std::max(solution.lower_bound, std::min(bound, solution.diagonals.enclosure().upper));
+  }
+  return solution;
 }
 
 // Certain edges and polygons' diagonals are exact up to rounding; regions have lower bounds of their own. The upper end
@@ -181,10 +212,10 @@ void FaceSolver::assemble(FaceSolution& solution) {
 
 }  // namespace
 
-FaceSolution solve_faces(CandidateGraph graph, Context& context) {
+FaceSolution solve_faces(CandidateGraph graph, Context& context, const Deadline& bounds_deadline) {
   tbb::task_arena arena(usable_threads(context));
   return arena.execute([&] {
-    FaceSolver solver(std::move(graph), context);
+    FaceSolver solver(std::move(graph), context, bounds_deadline);
     solver.solve_polygons();
     solver.repair();
     return solver.finish();

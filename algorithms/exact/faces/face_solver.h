@@ -39,8 +39,9 @@ struct FaceSolution {
 /// context.threads, but no more than there are cores; the triangles, their order and the bounds do not depend on it.
 /// Failure mode: polygons of more than 32 edges and faces with holes that context.deadline leaves over are filled with
 /// a constrained Delaunay triangulation, or the best one found, and contribute the bound reached: the result is valid,
-/// `optimum` certified and wide, `proved` false. Time for faces of bounded size O(n), about a third of a Delaunay
-/// triangulation on two cores; an L-gon with all its diagonals takes O(L^3). Space O(n + candidates).
-[[nodiscard]] FaceSolution solve_faces(CandidateGraph graph, Context& context);
+/// `optimum` certified and wider, `proved` false. Until `bounds_deadline` these bounds are improved. Time for faces of
+/// bounded size O(n), about a third of a Delaunay triangulation on two cores; an L-gon with all its diagonals takes
+/// O(L^3). Space O(n + candidates).
+[[nodiscard]] FaceSolution solve_faces(CandidateGraph graph, Context& context, const Deadline& bounds_deadline = {});
 
 }  // namespace mwt

@@ -100,7 +100,8 @@ class DividedRegion {
         break;
       case PolygonFaceOutcome::not_a_polygon: composite_.push_back(walk); break;
       case PolygonFaceOutcome::out_of_time:
-        add(leave_unsolved(graph_.points, make_region(graph_, {&walk}, {}), StopReason::deadline));
+        add(leave_unsolved(graph_.points, make_region(graph_, {&walk}, {}), StopReason::deadline,
+                           search_.bounds_deadline));
         break;
       case PolygonFaceOutcome::no_triangulation: is_feasible_ = false; break;
     }

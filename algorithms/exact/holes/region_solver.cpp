@@ -4,6 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "algorithms/exact/bounds/balanced_bound.h"
+#include "algorithms/exact/bounds/side_bound.h"
 #include "algorithms/exact/faces/face_walk.h"
 #include "algorithms/exact/faces/polygon_face.h"
 #include "algorithms/exact/holes/annulus_face.h"
@@ -14,7 +16,6 @@
 #include "algorithms/exact/holes/region_branching.h"
 #include "algorithms/exact/holes/region_reduction.h"
 #include "algorithms/exact/holes/region_triangles.h"
-#include "algorithms/exact/holes/side_bound.h"
 #include "algorithms/exact/holes/uncrossed_edges.h"
 #include "algorithms/triangle_lp/triangle_cover.h"
 #include "geometry/undirected_edges.h"
@@ -79,11 +80,11 @@ class RegionSolver {
         result.solved = true;
         return result;
       case PolygonFaceOutcome::no_triangulation: return RegionSolution::infeasible();
-      case PolygonFaceOutcome::out_of_time: return leave_unsolved(points_, region_, StopReason::deadline);
+      case PolygonFaceOutcome::out_of_time: return left_unsolved(StopReason::deadline);
       case PolygonFaceOutcome::not_a_polygon: break;
     }
     auto by_triangles = solve_by_triangles();
-    return by_triangles ? *std::move(by_triangles) : leave_unsolved(points_, region_, StopReason::size);
+    return by_triangles ? *std::move(by_triangles) : left_unsolved(StopReason::size);
   }
 
   std::optional<RegionSolution> solve_with_one_hole() {
@@ -95,7 +96,8 @@ class RegionSolver {
     result.lower_bound = annulus->lower_bound;
     result.solved = !annulus->is_late;
     if (annulus->is_late) {
-      result.lower_bound = std::max(result.lower_bound, simple_bound(points_, region_));
+      result.lower_bound = std::max({result.lower_bound, simple_bound(points_, region_),
+                                     balanced_bound(points_, region_, search_.bounds_deadline)});
       result.stop_reason = StopReason::deadline;
       if (result.triangles.empty()) fill(result);
     }
@@ -105,6 +107,10 @@ class RegionSolver {
   void fill(RegionSolution& result) const {
     result.triangles = fill_region(points_, region_);
     result.diagonals = diagonals_length(points_, region_, result.triangles);
+  }
+
+  [[nodiscard]] RegionSolution left_unsolved(StopReason reason) const {
+    return leave_unsolved(points_, region_, reason, search_.bounds_deadline);
   }
 
   // Nothing if the region stays as it is; then a bound is kept.
@@ -213,7 +219,7 @@ class RegionSolver {
 
   RegionSolution branch() {
     if (has_passed(search_.deadline))
-      return best_.triangles.empty() ? leave_unsolved(points_, region_, StopReason::deadline) : std::move(best_);
+      return best_.triangles.empty() ? left_unsolved(StopReason::deadline) : std::move(best_);
     RegionSearch search = search_;
     if (!best_.triangles.empty()) search.limit = std::min(search.limit, best_.diagonals.enclosure().upper);
     return with_known_bound(solve_by_branching(points_, region_, search));
@@ -227,11 +233,12 @@ class RegionSolver {
 
 }  // namespace
 
-RegionSolution leave_unsolved(Points points, const FaceRegion& region, StopReason reason) {
+RegionSolution leave_unsolved(Points points, const FaceRegion& region, StopReason reason,
+                              const Deadline& bounds_deadline) {
   RegionSolution result;
   result.triangles = fill_region(points, region);
   result.diagonals = diagonals_length(points, region, result.triangles);
-  result.lower_bound = simple_bound(points, region);
+  result.lower_bound = std::max(simple_bound(points, region), balanced_bound(points, region, bounds_deadline));
   result.stop_reason = reason;
   return result;
 }

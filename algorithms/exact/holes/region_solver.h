@@ -50,6 +50,7 @@ struct RegionSearch {
   Deadline deadline;
   double limit = std::numeric_limits<double>::infinity();  ///< what is not lighter than this is of no interest
   RegionMethods methods{};
+  Deadline bounds_deadline{};  ///< until when what the deadline left is bounded from below
 };
 
 /// The best triangulation by candidates. Where the deadline stops it: the best triangulation found, parts of it perhaps
@@ -63,7 +64,9 @@ struct RegionSearch {
 /// contains one, joins a hole to the rest, one after the other.
 [[nodiscard]] RegionSolution solve_region(Points points, const FaceRegion& region, const RegionSearch& search);
 
-/// The region filled with a constrained Delaunay triangulation and the simple lower bound.
-[[nodiscard]] RegionSolution leave_unsolved(Points points, const FaceRegion& region, StopReason reason);
+/// The region filled with a constrained Delaunay triangulation, and the best of the bounds (bounds/) that need no
+/// solution. The deadline is that of the bounds.
+[[nodiscard]] RegionSolution leave_unsolved(Points points, const FaceRegion& region, StopReason reason,
+                                            const Deadline& bounds_deadline);
 
 }  // namespace mwt

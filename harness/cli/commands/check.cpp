@@ -7,7 +7,8 @@
 #include "harness/io/given_triangulation.h"
 #include "harness/io/input_file.h"
 #include "harness/io/points/point_file.h"
-#include "harness/io/triangulation_file.h"
+#include "harness/io/solution_file.h"
+#include "harness/io/text/text.h"
 
 namespace mwt {
 
@@ -16,22 +17,25 @@ namespace {
 struct CheckArguments {
   std::string points;
   std::string triangles;
+  std::optional<std::string> columns;
 };
 
-std::optional<std::string> complaint_about(const CheckArguments& options) {
-  require_one_from_standard_input({options.points, options.triangles});
-  const std::vector<Point> input = read_points(options.points);
-  const PointSet set = make_point_set(input, source_name(options.points));
-  return broken_rule(set, input, read_triangles(options.triangles));
+// "" or " (edges; corners counted from 1)".
+std::string remark_on(const GivenSolution& solution) {
+  std::vector<std::string> remarks;
+  if (!solution.edges.empty()) remarks.emplace_back("edges");
+  if (solution.counts_from_one) remarks.emplace_back("corners counted from 1");
+  return remarks.empty() ? "" : " (" + joined(remarks, "; ") + ")";
 }
 
 int check_triangulation(const CheckArguments& options) {
-  if (const auto complaint = complaint_about(options)) {
-    std::cout << "invalid: " << *complaint << '\n';
-    return kExitNegative;
-  }
-  std::cout << "valid\n";
-  return kExitOk;
+  require_one_from_standard_input({options.points, options.triangles});
+  const std::vector<Point> input = read_points(options.points, column_names(options.columns));
+  const PointSet set = make_point_set(input, source_name(options.points));
+  const GivenSolution solution = read_solution(options.triangles, input.size());
+  const std::optional<std::string> rule = broken_rule(set, input, solution);
+  std::cout << (rule ? "invalid" : "valid") << remark_on(solution) << (rule ? ": " + *rule : "") << '\n';
+  return rule ? kExitNegative : kExitOk;
 }
 
 }  // namespace
@@ -40,9 +44,11 @@ Command check_command() {
   const auto options = std::make_shared<CheckArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument("points", options->points, "point file; - for stdin");
-    declared.argument("triangles", options->triangles, "triangle file: three positions in the point file per line");
+    declared.argument("triangles", options->triangles,
+                      "triangles or edges: positions in the point file, from 0 or 1, as a table, JSON or .ele");
+    declare_columns(declared, options->columns);
   };
-  return {"check", "Check that triangles are a triangulation of points: exit 0 valid, 1 invalid", declare,
+  return {"check", "Check that triangles or edges are a triangulation of points: exit 0 valid, 1 invalid", declare,
           [options] { return check_triangulation(*options); }};
 }
 

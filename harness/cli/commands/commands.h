@@ -11,6 +11,7 @@ namespace mwt {
 [[nodiscard]] Command solve_command();
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command draw_command();
+[[nodiscard]] Command convert_command();
 [[nodiscard]] Command run_command();
 [[nodiscard]] Command merge_command();
 [[nodiscard]] Command report_command();

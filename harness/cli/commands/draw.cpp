@@ -27,6 +27,7 @@ struct DrawArguments {
   std::string output;
   bool labels = false;
   int width_px = 800;
+  std::optional<std::string> columns;
 };
 
 constexpr std::size_t kMaxLabels = 50;
@@ -81,7 +82,7 @@ void require_usable_files(const DrawArguments& options) {
 
 int draw(const DrawArguments& options) {
   require_usable_files(options);
-  const std::vector<Point> input = read_points(options.points);
+  const std::vector<Point> input = read_points(options.points, column_names(options.columns));
   const PointSet set = make_point_set(input, source_name(options.points));
   const std::vector<Edge> edges = edges_in_input(options.triangles, set, input);
   const std::vector<Edge> other =
@@ -107,6 +108,7 @@ Command draw_command() {
     declared.optional_argument(
         "other", options->other,
         "another triangle file to compare with, drawn underneath; edges that it lacks are orange");
+    declare_columns(declared, options->columns);
     declared.required("-o,--output", options->output, "picture to write (.svg); - for stdout");
     declared.flag("--labels", options->labels, "number the points even if they are more than 50");
     declared.positive("--width", options->width_px, "of the picture in pixels");

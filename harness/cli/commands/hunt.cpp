@@ -15,6 +15,7 @@
 #include "harness/run/catalogue.h"
 #include "harness/run/max_workers.h"
 #include "harness/run/start_triangulation.h"
+#include "harness/study/study.h"
 
 namespace mwt {
 
@@ -22,6 +23,7 @@ namespace {
 
 struct HuntArguments {
   std::string algorithm;
+  std::optional<std::string> commands;
   std::optional<Index> n;
   std::vector<std::string> parameters;
   std::optional<double> budget_s;
@@ -40,8 +42,7 @@ const AlgorithmInfo& solver_of(const HuntArguments& options, const Catalogue& ca
   return solver;
 }
 
-HuntPlan plan_of(const HuntArguments& options, const Catalogue& catalogue) {
-  const AlgorithmInfo& algorithm = catalogue.algorithm(options.algorithm);
+HuntPlan plan_of(const HuntArguments& options, const AlgorithmInfo& algorithm, const Catalogue& catalogue) {
   if (!options.n || *options.n < 4) throw InputError("give --n, the number of points, at least 4");
   HuntPlan plan;
   plan.request.algorithm = &algorithm;
@@ -97,7 +98,10 @@ std::string described(const HuntResult& result) {
 }
 
 int run_hunt(const HuntArguments& options) {
-  const HuntPlan plan = plan_of(options, Catalogue::built_in());
+  const Catalogue catalogue = Catalogue::built_in();
+  const std::vector<StudyCommand> commands =
+      options.commands ? read_commands(*options.commands) : std::vector<StudyCommand>();
+  const HuntPlan plan = plan_of(options, algorithm_named(options.algorithm, commands, catalogue), catalogue);
   const std::string output = output_of(options);
   const std::string state_file = output + ".state";
   require_fresh_or_resumed(options, output, state_file);
@@ -128,6 +132,8 @@ Command hunt_command() {
   const auto options = std::make_shared<HuntArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.required("--algorithm", options->algorithm, "name of the algorithm");
+    declared.option("--commands", options->commands,
+                    "study file (TOML) whose commands --algorithm may name, too: programs of your own");
     declared.option("--n", options->n, "number of points, at least 4");
     declared.repeated("--param", options->parameters, "a parameter of the algorithm, k=v; may be repeated");
     declared.positive("--budget", options->budget_s, "seconds to search; 60 if not given");

@@ -60,6 +60,24 @@ TEST_F(ProofCommands, BoundsArePrintedAsSuch) {
   EXPECT_NE(result.output.find("], bounded\n"), std::string::npos) << result.output;
 }
 
+TEST_F(ProofCommands, StudiesKeepThemAndFailIfOneIsRefused) {
+  write("study.toml",
+        "name = 's'\nsummary = 't'\nfamilies = ['uniform']\nsizes = [40]\nalgorithms = ['sweep']\n[optimum]\nsources = "
+        "['exact']\nproofs = true\n");
+  static_cast<void>(run("run study.toml --out results"));
+  static_cast<void>(run("generate uniform --n 40 --seed 1 -o u.txt"));
+  ASSERT_EQ(shell("mv results/proofs/*.mwtproof u.mwtproof"), 0);
+  const auto result = verify("u.txt u.mwtproof");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_TRUE(result.output.starts_with("VERIFIED weight in [")) << result.output;
+  EXPECT_NE(run("report results").find("optima: 1 of 1 instances proved; mwt_verify verifies 1 of them"),
+            std::string::npos);
+  ASSERT_EQ(shell("sed -i 's/,optimal,,/,refused,step 1: it does not follow,/' results/instances.csv"), 0);
+  const auto again = mwt("run study.toml --out results --resume");
+  EXPECT_EQ(again.exit_code, 3);
+  EXPECT_NE(again.output.find("refused  step 1: it does not follow"), std::string::npos) << again.output;
+}
+
 TEST_F(ProofCommands, MistakesAreReportedBeforeTheWork) {
   expect_mistake("solve p.txt --algorithm greedy --proof p.mwtproof", "greedy writes no proofs");
   expect_mistake("solve p.txt --algorithm exact --proof -", "give a file");

@@ -10,6 +10,7 @@
 #include "harness/records/known_optima.h"
 #include "harness/records/results_folder.h"
 #include "harness/report/failures.h"
+#include "harness/report/optima.h"
 #include "harness/report/tables.h"
 #include "harness/run/catalogue.h"
 #include "harness/run/max_workers.h"
@@ -46,7 +47,8 @@ ExitCode print_overview(const std::string& folder, bool with_alphas) {
   const std::vector<RunRecord> runs = rated_by_all_bounds(records.runs, records.instances);
   const std::vector<Cell> cells = cells_of(runs);
   if (with_alphas) std::cout << '\n' << algorithm_table(cells, Labels(cells));
-  for (const std::string& table : {failure_table(runs), stopped_early_table(runs)}) {
+  for (const std::string& table :
+       {failure_table(runs), rejected_proof_table(records.instances), stopped_early_table(runs)}) {
     if (!table.empty()) std::cout << '\n' << table;
   }
   std::cout << "\nrecords: " << folder << "/runs.csv; all tables: mwt report " << folder << '\n';
@@ -55,8 +57,11 @@ ExitCode print_overview(const std::string& folder, bool with_alphas) {
                                  std::any_of(records.instances.begin(), records.instances.end(), is_wrong);
   const auto failed = std::count_if(runs.begin(), runs.end(), [](const auto& run) { return is_failure(run.status); });
   if (failed > 0) std::cout << failed << " of " << runs.size() << " runs failed; the table above names them\n";
-  if (has_contradiction) return kExitFailure;
-  return failed > 0 ? kExitNegative : kExitOk;
+  const auto have = [&](ProofVerdict verdict) {
+    return std::ranges::any_of(records.instances, [&](const auto& record) { return record.verified == verdict; });
+  };
+  if (has_contradiction || have(ProofVerdict::refused)) return kExitFailure;
+  return failed > 0 || have(ProofVerdict::failed) ? kExitNegative : kExitOk;
 }
 
 int run(const RunArguments& options) {

@@ -26,9 +26,11 @@
 #include "harness/rating/quality.h"
 #include "harness/rating/rated_run.h"
 #include "harness/run/catalogue.h"
+#include "harness/run/command/command.h"
 #include "harness/run/execution.h"
 #include "harness/run/max_workers.h"
 #include "harness/run/start_triangulation.h"
+#include "harness/study/study.h"
 
 namespace mwt {
 
@@ -37,6 +39,8 @@ namespace {
 struct SolveArguments {
   std::string points;
   std::string algorithm;
+  std::optional<std::string> commands;
+  std::optional<std::string> columns;
   std::vector<std::string> parameters;
   std::uint64_t seed = 1;
   int threads = 1;
@@ -50,10 +54,10 @@ struct SolveArguments {
   std::optional<std::string> proof;
 };
 
-Request make_request(const SolveArguments& options, const Catalogue& catalogue, const Instance& instance,
+Request make_request(const SolveArguments& options, const AlgorithmInfo& algorithm, const Instance& instance,
                      const std::vector<Point>& input) {
   Request request;
-  request.algorithm = &catalogue.algorithm(options.algorithm);
+  request.algorithm = &algorithm;
   const AlgorithmInfo& info = *request.algorithm;
   request.parameters = Parameters(info.name, info.parameters, parse_parameters(options.parameters));
   request.seed = options.seed;
@@ -69,10 +73,9 @@ void warn(const std::string& warning) { std::cerr << "mwt: warning: " << warning
 // The optimum from the cache or the exact algorithms, each in a process of its own.
 FoundOptimum search_optimum(const Instance& instance, std::vector<const AlgorithmInfo*> sources,
                             const RunLimits& limits, OptimumCache* cache, const KnownWeight& known) {
-  const auto shared = std::make_shared<const Instance>(instance);
   FoundOptimum result;
   ProcessPool pool(1);
-  seek_optimum(pool, shared, std::move(sources), limits, cache, known,
+  seek_optimum(pool, {std::make_shared<const Instance>(instance), std::move(sources), limits, cache, known},
                [&](const FoundOptimum& found) { result = found; });
   while (!pool.is_empty()) pool.wait(std::chrono::milliseconds(200));
   return result;
@@ -226,10 +229,12 @@ void print(const SolveArguments& options, const SolveOutput& output) {
 
 int solve(const SolveArguments& options) {
   const Catalogue catalogue = Catalogue::built_in();
-  static_cast<void>(catalogue.algorithm(options.algorithm));  // an unknown name is reported before a large file is read
-  const std::vector<Point> input = read_points(options.points);
+  const std::vector<StudyCommand> commands =
+      options.commands ? read_commands(*options.commands) : std::vector<StudyCommand>();
+  const AlgorithmInfo& algorithm = algorithm_named(options.algorithm, commands, catalogue);
+  const std::vector<Point> input = read_points(options.points, column_names(options.columns));
   const Instance instance = make_instance(input, source_name(options.points));
-  Request request = make_request(options, catalogue, instance, input);
+  Request request = make_request(options, algorithm, instance, input);
   ProofTrace trace;
   if (options.proof) request.proof = &trace;
   require_usable_outputs(options, request);
@@ -238,6 +243,7 @@ int solve(const SolveArguments& options) {
   RatedRun& run = output.run;
   if (run.status == RunStatus::invalid_output) {
     print(options, output);
+    if (algorithm.runs_outside) throw CommandFailure(run.status, run.message);
     throw std::logic_error(output.algorithm + " returned no triangulation: " + run.message);
   }
   FoundOptimum found;
@@ -248,6 +254,7 @@ int solve(const SolveArguments& options) {
   write_files(options, instance, input, execution.solution.triangulation);
   if (options.proof) write_proof_file(*options.proof, instance, trace, execution.solution);
   print(options, output);
+  if (run.status == RunStatus::error && algorithm.runs_outside) throw CommandFailure(run.status, run.message);
   if (!contradictions.empty()) throw std::logic_error(joined(contradictions, "; "));
   return kExitOk;
 }
@@ -255,7 +262,10 @@ int solve(const SolveArguments& options) {
 void declare(CommandOptions& declared, SolveArguments& options) {
   declared.argument("points", options.points, "point file; - for stdin");
   declared.required("--algorithm", options.algorithm, "name of an algorithm (mwt list algorithms)");
+  declared.option("--commands", options.commands,
+                  "study file (TOML) whose commands --algorithm may name, too: programs of your own");
   declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
+  declare_columns(declared, options.columns);
   declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
   declared.positive("--threads", options.threads, "threads that the algorithm may use", kMaxWorkers);
   declared.positive("--time-limit", options.time_limit_s, "return the best result found within this many seconds");

@@ -148,7 +148,7 @@ TEST(PointFileText, ReadsForeignEncodingsAndLineEnds) {
   EXPECT_EQ(read("p.csv", wide), kThreePoints);
   EXPECT_EQ(read("p.csv", "sep=;\r\n\"x\";\"y\"\r\n\"1\";\"2\"\r\n-0.5;4e10\r\n3;0.25\r\n"), kThreePoints);
   EXPECT_EQ(error("p.txt", "\x1F\x8B\x08" + std::string(3, '\0')),
-            "p.txt:1: has a NUL byte, so it is no text, or UTF-16 without a byte order mark; save it as UTF-8");
+            "p.txt: begins like gzip, but is damaged or cut off");
 }
 
 TEST(PointFileText, OtherFormatsAreReadWhateverTheNameOfATextFile) {
@@ -179,9 +179,16 @@ TEST(PointFile, UnusableFiles) {
   };
   EXPECT_EQ(message(folder.path("none.txt")), folder.path("none.txt") + ": no such file; check the name");
   EXPECT_EQ(message(folder.path("")), folder.path("") + ": is a folder; name a file in it");
-  EXPECT_EQ(message("points.dat"), "points.dat: unknown ending '.dat'; use .txt, .xy, .csv, .tsp or .json");
-  EXPECT_EQ(message_of<InputError>([] { write_points("points.dat", kThreePoints); }),
-            "points.dat: unknown ending '.dat'; use .txt, .xy, .csv, .tsp or .json");
+  const std::string unknown =
+      "points.dat: unknown ending '.dat'; known: .txt .xy .csv .tsv .tsp .json .geojson .wkt .off .ply .node .npy, and "
+      ".gz, "
+      ".bz2, .xz, .zst behind them";
+  EXPECT_EQ(message("points.dat"), unknown);
+  EXPECT_EQ(message_of<InputError>([] { write_points("points.dat", kThreePoints); }), unknown);
+  for (const char* name : {"p.npy", "p.txt.gz", "p.geojson", "p.ply"}) {
+    EXPECT_EQ(message_of<InputError>([&] { write_points(name, kThreePoints); }),
+              std::string(name) + ": points are written as .txt, .xy, .csv, .tsv, .tsp or .json");
+  }
 }
 
 TEST(PointFileTsplib, ReadsTheCommonSpellings) {
@@ -261,7 +268,7 @@ TEST(PointFileJson, ReadsPointsAndIgnoresTheRest) {
 }
 
 TEST(PointFileJson, NamesThePlaceOfEveryMistake) {
-  const std::string remedy = "; a point is {\"x\": 1, \"y\": 2}";
+  const std::string remedy = "; a point is {\"x\": 1, \"y\": 2} or [1, 2]";
   EXPECT_EQ(error("p.json", R"({"points": [{"x": 1, "y": 2}, {"x": 1}]})"), "p.json: points[1] has no y" + remedy);
   EXPECT_EQ(error("p.json", R"({"points": [{"y": 1}]})"), "p.json: points[0] has no x" + remedy);
   EXPECT_EQ(error("p.json", R"({"points": [{"x": "1", "y": 2}]})"),
@@ -272,16 +279,25 @@ TEST(PointFileJson, NamesThePlaceOfEveryMistake) {
             "p.json: points[0] has an array for a coordinate" + remedy);
   EXPECT_EQ(error("p.json", R"({"points": [{"x": {"x": 1}, "y": 2}]})"),
             "p.json: points[0] has an object for a coordinate" + remedy);
-  EXPECT_EQ(error("p.json", R"({"points": [[1, 2]]})"), "p.json: points[0] is an array" + remedy);
+  EXPECT_EQ(error("p.json", R"({"points": [[1, 2], [1]]})"), "p.json: points[1] has 1 coordinates" + remedy);
+  EXPECT_EQ(error("p.json", R"([[1, 2, 3]])"), "p.json: points[0] has 3 coordinates" + remedy);
+  EXPECT_EQ(error("p.json", R"([[1, [2]]])"), "p.json: points[0] has an array for a coordinate" + remedy);
+  EXPECT_EQ(error("p.json", R"([[1, "2"]])"), "p.json: points[0] has '2' for a coordinate" + remedy);
   EXPECT_EQ(error("p.json", R"({"points": [1, 2]})"), "p.json: points[0] is a number" + remedy);
-  EXPECT_EQ(error("p.json", R"({"points": []})"), "p.json: the list \"points\" is empty");
+  EXPECT_EQ(error("p.json", R"({"points": []})"), "p.json: the list of points is empty");
   EXPECT_EQ(error("p.json", R"({"points": [{"x": 1, "y": 2, "x": 3}]})"), "p.json: points[0] has x twice" + remedy);
   EXPECT_EQ(error("p.json", R"({"points": [{"x": 1, "y": 2}], "points": []})"),
             "p.json: a second list \"points\"; keep one");
-  const std::string expected = "; expected {\"points\": [{\"x\": 1, \"y\": 2}, ...]}";
-  EXPECT_EQ(error("p.json", R"({"nodes": []})"), "p.json: no list \"points\"" + expected);
-  EXPECT_EQ(error("p.json", R"([{"x": 1, "y": 2}])"), "p.json: no list \"points\"" + expected);
-  EXPECT_EQ(error("p.json", R"({"points": 5})"), "p.json: no list \"points\"" + expected);
+  const std::string expected =
+      "; expected {\"points\": [{\"x\": 1, \"y\": 2}, ...]}, {\"points\": [[1, 2], ...]}, [[1, 2], ...], "
+      "{\"points_x\": [1, ...], "
+      "\"points_y\": [2, ...]} or GeoJSON points";
+  EXPECT_EQ(error("p.json", R"({"nodes": []})"), "p.json: no list of points" + expected);
+  EXPECT_EQ(error("p.json", R"({"points": 5})"), "p.json: no list of points" + expected);
+  EXPECT_EQ(error("p.json", R"({"x": [1, 2]})"), "p.json: a list of x coordinates, but none of y");
+  EXPECT_EQ(error("p.json", R"({"x": [1, 2], "y": [1]})"), "p.json: 2 x coordinates, but 1 y coordinates");
+  EXPECT_EQ(error("p.json", R"({"points_x": [1, null], "points_y": [1]})"),
+            "p.json: points_x[1] is null; a coordinate is a number");
   EXPECT_EQ(error("p.json", "{\n\"points\": [\n{\"x\": NaN, \"y\": 2}]}"),
             "p.json:3: no valid JSON at '\"x\": N'" + expected);
   EXPECT_EQ(error("p.json", "{\"points\": [\n{\"x\": 1e999, \"y\": 2}]}"),
@@ -294,7 +310,8 @@ TEST(PointFileJson, DeepNestingIsNoDanger) {
   constexpr int kDepth = 1000000;
   const std::string nested = std::string(kDepth, '[') + std::string(kDepth, ']');
   EXPECT_EQ(read("p.json", "{\"more\": " + nested + ", \"points\": [{\"x\": 1, \"y\": 2}]}").size(), 1U);
-  EXPECT_TRUE(error("p.json", std::string(kDepth, '[')).starts_with("p.json:1: no valid JSON at"));
+  EXPECT_TRUE(error("p.json", std::string(kDepth, '[')).starts_with("p.json: points[0] has an array for a coordinate"));
+  EXPECT_TRUE(error("p.json", "{\"a\": " + std::string(kDepth, '[')).starts_with("p.json:1: no valid JSON at"));
 }
 
 TEST(PointFile, EveryFormatGivesBackTheSameDoubles) {

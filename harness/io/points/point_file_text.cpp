@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "base/error.h"
 #include "base/number_text.h"
 #include "harness/io/points/point_formats.h"
 #include "harness/io/text/cell_text.h"
+#include "harness/io/text/text.h"
+#include "harness/io/text/text_lines.h"
 #include "harness/io/text/text_table.h"
 
 namespace mwt {
@@ -100,15 +103,42 @@ void require_counting(const TextTable& table, std::size_t column, std::optional<
   previous = id;
 }
 
+// A place from 1, or a name.
+std::size_t column_called(const TextTable& table, const std::string& name) {
+  const std::size_t width = table.columns().size();
+  if (const auto place = parse_whole_number<std::size_t>(name)) {
+    if (*place >= 1 && *place <= width) return *place - 1;
+    table.fail(fmt::format("no column {}; there are {}", *place, width));
+  }
+  if (const auto column = table.column_named(lower_case(name))) return *column;
+  if (table.header().empty())
+    table.fail("no header, so no column is called " + shown(name) + "; give the columns' places, such as 1,2");
+  table.fail_in_header("no column is called " + shown(name) + "; there are " + joined(table.header(), ", "));
+}
+
+PointColumns columns_called(const TextTable& table, const ColumnNames& names) {
+  const PointColumns columns{column_called(table, names.x), column_called(table, names.y), std::nullopt};
+  if (columns.x == columns.y) table.fail("x and y are the same column; name two");
+  return columns;
+}
+
 }  // namespace
 
-std::vector<Point> parse_text_points(const std::string& source, std::string_view text) {
+ColumnNames parse_column_names(const std::string& text) {
+  const std::vector<std::string> names = split(text, ',');
+  if (names.size() == 2 && !trimmed(names[0]).empty() && !trimmed(names[1]).empty())
+    return {std::string(trimmed(names[0])), std::string(trimmed(names[1]))};
+  throw InputError(shown(text) + " does not name two columns; write x,y or their places, such as 2,3");
+}
+
+std::vector<Point> parse_text_points(const std::string& source, std::string_view text,
+                                     const std::optional<ColumnNames>& names) {
   TextTable table(source, text);
   std::vector<Point> points;
   PointColumns columns;
   std::optional<std::int64_t> previous_id;
   while (table.next_row()) {
-    if (points.empty()) columns = find_columns(table);
+    if (points.empty()) columns = names ? columns_called(table, *names) : find_columns(table);
     if (columns.id) require_counting(table, *columns.id, previous_id);
     points.push_back({table.number(columns.x), table.number(columns.y)});
   }

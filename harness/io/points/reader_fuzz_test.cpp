@@ -32,12 +32,16 @@ const std::vector<Point> kPoints{{0, 0}, {10.5, -0.25}, {1e-3, 7}, {-4, 3e2}, {8
 
 std::string number(double value) { return number_text(value); }
 
+std::vector<Point> parse_plain_table(const std::string& source, std::string_view text) {
+  return parse_text_points(source, text);
+}
+
 std::vector<Sample> point_samples() {
-  std::vector<Sample> samples = {{parse_text_points, {}, 0},
-                                 {parse_text_points, {"x,y"}, 1},
-                                 {parse_text_points, {"name;x;y"}, 1},
-                                 {parse_text_points, {"site\tx\ty"}, 1},
-                                 {parse_text_points, {}, 0},
+  std::vector<Sample> samples = {{parse_plain_table, {}, 0},
+                                 {parse_plain_table, {"x,y"}, 1},
+                                 {parse_plain_table, {"name;x;y"}, 1},
+                                 {parse_plain_table, {"site\tx\ty"}, 1},
+                                 {parse_plain_table, {}, 0},
                                  {parse_tsplib_points, {"NAME: p", "DIMENSION: 5", "NODE_COORD_SECTION"}, 3},
                                  {parse_json_points, {"{\"points\": ["}, 1}};
   for (std::size_t i = 0; i < kRows; ++i) {

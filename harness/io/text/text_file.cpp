@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/unicode.h"
+#include "harness/io/compression.h"
 #include "harness/io/input_file.h"
 
 namespace mwt {
@@ -77,7 +78,10 @@ void refuse_nul(std::string_view text, const std::string& source) {
 
 }  // namespace
 
-std::string read_text_file(const std::string& path) { return as_plain_text(read_file(path), source_name(path)); }
+std::string read_text_file(const std::string& path) {
+  const std::string source = source_name(path);
+  return as_plain_text(decompressed(read_file(path), source), source);
+}
 
 std::string as_plain_text(std::string content, const std::string& source) {
   for (const std::string_view mark : {kMarkLittleEndian, kMarkBigEndian}) {

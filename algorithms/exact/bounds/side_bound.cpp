@@ -1,4 +1,4 @@
-#include "algorithms/exact/holes/side_bound.h"
+#include "algorithms/exact/bounds/side_bound.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "algorithms/exact/simple_bound.h"
+#include "algorithms/exact/bounds/simple_bound.h"
 
 #include <algorithm>
 #include <limits>

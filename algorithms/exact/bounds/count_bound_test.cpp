@@ -1,0 +1,49 @@
+#include "algorithms/exact/bounds/count_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "algorithms/common/testing/solver_testing.h"
+#include "algorithms/exact/bounds/simple_bound.h"
+#include "algorithms/exact/testing/stage_testing.h"
+
+namespace mwt {
+namespace {
+
+using stage_testing::instances_of_all_families;
+
+TEST(CountBound, IsNeverAboveTheOptimum) {
+  for (const auto& [name, points] : instances_of_all_families({3, 4, 5, 8, 12, 13}, 4)) {
+    SCOPED_TRACE(name);
+    const double bound = bound_by_counts(points, {});
+    EXPECT_GT(bound, 0);
+    EXPECT_LE(bound, solve_to_optimality("subset_dp", points).optimum->upper);
+  }
+}
+
+TEST(CountBound, IsNeverAboveTheOptimumOfLargerSets) {
+  for (const auto& [name, points] : instances_of_all_families({60, 300}, 2)) {
+    SCOPED_TRACE(name);
+    EXPECT_LE(bound_by_counts(points, {}), solve_to_optimality("exact", points).optimum->upper);
+  }
+}
+
+TEST(CountBound, IsCloseOnRandomPoints) {
+  for (const char* family : {"uniform", "normal", "clustered", "lattice"}) {
+    SCOPED_TRACE(family);
+    const std::vector<Point> points = generate(family, 3000, 1);
+    EXPECT_GT(bound_by_counts(points, {}), 0.65 * solve_to_optimality("exact", points).optimum->lower);
+  }
+}
+
+// At least the simple bound, and never more than with time.
+TEST(CountBound, HoldsAfterTheDeadline) {
+  const std::vector<Point> points = generate("uniform", 500, 1);
+  const double late = bound_by_counts(points, std::chrono::steady_clock::now());
+  EXPECT_GE(late, simple_lower_bound(points) * (1 - 1e-12));
+  EXPECT_LT(late, bound_by_counts(points, {}));
+}
+
+}  // namespace
+}  // namespace mwt
