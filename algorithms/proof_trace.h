@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,13 +27,22 @@ struct EdgeConclusions {
                               ///< to itself if the edge passes through a point
 };
 
-/// A node of a tree of decisions on a region's open edges, in preorder: a leaf with dual values, or an edge followed by
-/// the tree of the case that it is part of the triangulation, then by that of the case that it is not.
+/// A node of a tree of decisions on a region's open edges, in preorder.
 struct DualNode {
-  std::optional<std::uint32_t> edge;      ///< a branch: position among the region's open edges; nothing for a leaf
-  std::vector<std::int64_t> side_duals;   ///< leaf: of the sides, walk by walk, each before the next corner
-  std::vector<std::int64_t> edge_duals;   ///< leaf: of the open edges' sides from their first to their second place
-  std::vector<std::int64_t> other_duals;  ///< leaf: of their other sides; empty where no edge is decided to be in
+  enum class Kind : std::uint8_t {
+    leaf,         ///< dual values
+    branch,       ///< an edge, followed by the tree of the case that it is part of the triangulation, then by that of
+                  ///< the case that it is not
+    base,         ///< dual values, followed by a tree whose leaves may be changes
+    changed_leaf  ///< the dual values of the nearest base above, but for some
+  };
+  Kind kind = Kind::leaf;
+  std::uint32_t edge = 0;                    ///< branch: position among the region's open edges
+  std::vector<std::uint32_t> changed_sides;  ///< changed_leaf: positions, ascending, of what the following are about
+  std::vector<std::uint32_t> changed_edges;  ///< changed_leaf: the same for open edges
+  std::vector<std::int64_t> side_duals;      ///< of the sides, walk by walk, each before the next corner
+  std::vector<std::int64_t> edge_duals;      ///< of the open edges' sides from their first to their second place
+  std::vector<std::int64_t> other_duals;     ///< of their other sides; may be empty where no edge is decided to be in
 };
 
 /// Dual values that bound what the open edges (candidates that are not certain) of a region weigh; see

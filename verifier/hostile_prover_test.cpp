@@ -154,20 +154,43 @@ RegionStep region_of_everything(const std::vector<Point>& points, const Believed
   return region;
 }
 
-// A leaf, or a decision on an open edge and what follows from either answer.
-void add_nodes(RegionStep& region, Dice& dice, std::vector<bool> is_in, int depth) {
+// A leaf that changes about half of the dual values.
+TreeNode some_changes(const TreeNode& leaf, Dice& dice) {
+  TreeNode changes;
+  changes.is_changed = true;
+  for (std::size_t i = 0; i < leaf.side_duals.size(); ++i) {
+    if (dice.below(2) == 0) continue;
+    changes.changed_sides.push_back(i);
+    changes.side_duals.push_back(leaf.side_duals[i]);
+  }
+  for (std::size_t i = 0; i < leaf.edge_duals.size(); ++i) {
+    if (dice.below(2) == 0) continue;
+    changes.changed_edges.push_back(i);
+    changes.edge_duals.push_back(leaf.edge_duals[i]);
+  }
+  return changes;
+}
+
+// A leaf, or a decision on an open edge and what follows from either answer, or a base for what is below.
+void add_nodes(RegionStep& region, Dice& dice, std::vector<bool> is_in, int depth, bool has_base = false) {
+  TreeNode leaf;
+  for (const auto& walk : region.walks) leaf.side_duals.resize(leaf.side_duals.size() + walk.size());
+  for (std::size_t i = 0; i < region.open_edges.size(); ++i) leaf.edge_duals.emplace_back(is_in[i] ? 2 : 1);
+  if (dice.below(4) == 0) {
+    region.tree.push_back(leaf);
+    region.tree.back().is_base = true;
+    has_base = true;
+  }
   if (depth > 0 && !region.open_edges.empty() && dice.below(2) == 0) {
     const std::size_t edge = dice.below(region.open_edges.size());
     region.tree.push_back({false, edge, {}, {}});
     is_in[edge] = true;
-    add_nodes(region, dice, is_in, depth - 1);
+    add_nodes(region, dice, is_in, depth - 1, has_base);
     is_in[edge] = false;
-    add_nodes(region, dice, is_in, depth - 1);
+    add_nodes(region, dice, is_in, depth - 1, has_base);
     return;
   }
-  TreeNode leaf;
-  for (const auto& walk : region.walks) leaf.side_duals.resize(leaf.side_duals.size() + walk.size());
-  for (std::size_t i = 0; i < region.open_edges.size(); ++i) leaf.edge_duals.emplace_back(is_in[i] ? 2 : 1);
+  if (has_base && dice.below(4) != 0) leaf = some_changes(leaf, dice);
   region.tree.push_back(leaf);
 }
 

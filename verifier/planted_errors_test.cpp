@@ -183,7 +183,7 @@ TEST(PlantedErrors, DamagedFilesAreRefused) {
       longer.insert(longer.end(), back.begin(), back.end());
       extended.refused += court.judge(instance.points, longer).outcome != Outcome::verified;
     }
-    for (const std::uint32_t other : {0U, 2U, 256U, 0x80000001U}) {
+    for (const std::uint32_t other : {0U, 1U, 256U, 0x80000002U}) {
       ++version.tried;
       version.refused += court.judge(instance.points, file_of(plain, other)).outcome == Outcome::no_proof;
     }

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 
 #include "base/error.h"
@@ -15,10 +16,16 @@ namespace mwt::verifier {
 namespace {
 
 constexpr char kMagic[8] = {'M', 'W', 'T', 'P', 'R', 'O', 'O', 'F'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 // No honest proof compresses better; a hostile one must be as large as the work it makes.
 constexpr std::uint64_t kMaxRatio = 1000;
+
+// Opening anything else may wait for ever.
+bool is_regular(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
 
 }  // namespace
 
@@ -33,8 +40,10 @@ struct ProofReader::Decompressor {
 void ProofReader::DeleteDecompressor::operator()(Decompressor* decompressor) const { delete decompressor; }
 
 ProofReader::ProofReader(const std::string& path)
-    : file_(std::fopen(path.c_str(), "rb")), compressed_(ZSTD_DStreamInSize()), plain_(ZSTD_DStreamOutSize()) {
-  if (!file_) throw InputError(path + ": cannot be opened");
+    : file_(is_regular(path) ? std::fopen(path.c_str(), "rb") : nullptr),
+      compressed_(ZSTD_DStreamInSize()),
+      plain_(ZSTD_DStreamOutSize()) {
+  if (!file_) throw InputError(path + ": is no file that can be read");
   std::array<std::uint8_t, 12> header{};
   const bool is_proof = std::fread(header.data(), 1, header.size(), file_.get()) == header.size() &&
                         std::memcmp(header.data(), kMagic, sizeof kMagic) == 0;

@@ -1,7 +1,6 @@
 #include "verifier/region.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "verifier/bounds.h"
 #include "verifier/exact.h"
@@ -11,17 +10,26 @@ namespace mwt::verifier {
 
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
 // Half lengths and dual values are smaller, so that sums of six of them fit into 64 bits.
 constexpr std::int64_t kLimit = std::int64_t{1} << 60;
 
-constexpr std::uint8_t kLeafTag = 0;
-constexpr std::uint8_t kBranchTag = 1;
+// The cost of a side that no triangle can have. Others lie between -kLimit and 2 kLimit: with one that is absent, three
+// costs add up to more than 0, and they fit into 64 bits.
+constexpr std::int64_t kAbsent = 2 * kLimit;
 
-bool is_branch(std::uint8_t tag) {
-  require(tag == kLeafTag || tag == kBranchTag, "a node is neither a leaf nor a branch");
-  return tag == kBranchTag;
+// One below the other: each takes memory, but few bytes in a file that is compressed.
+constexpr std::size_t kMaxBases = 16;
+
+enum class Node : std::uint8_t { leaf = 0, branch = 1, base = 2, changes = 3 };
+
+Node read_node(ProofReader& proof) {
+  const std::uint8_t tag = proof.byte();
+  require(tag <= 3, "a node is of an unknown kind");
+  return Node{tag};
+}
+
+void add_to(std::int64_t& sum, std::int64_t dual) {
+  require(!__builtin_add_overflow(sum, dual, &sum), "the dual values of a region are too large");
 }
 
 }  // namespace
@@ -70,7 +78,7 @@ Region::Region(Points points, const PointTree& tree, ProofReader& proof) : point
   std::sort(corners_.begin(), corners_.end());
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
   spokes_.resize(corners_.size());
-  edge_to_.assign(corners_.size(), kNone);
+  cost_to_.assign(corners_.size(), {kAbsent, kAbsent});
   for (const Side& side : sides_) edge_of_side_.push_back(add_edge(side.from, side.to, false));
   for (const OpenEdge& edge : open_edges_) edge_of_open_.push_back(add_edge(edge.a, edge.b, true));
   compute_half_lengths();
@@ -109,27 +117,39 @@ void Region::compute_half_lengths() {
   }
 }
 
-// In preorder: a leaf, or an edge and what follows if it is in, then if it is out.
-std::vector<Leaf> Region::read_leaves(ProofReader& proof) {
-  std::vector<Leaf> leaves;
+// In preorder: a leaf, or an edge and what follows if it is in, then if it is out, or dual values and what is below
+// them.
+void Region::read_leaves(ProofReader& proof, const std::function<void(const Leaf&)>& visit) {
   std::vector<Decision> path;
   do {
-    while (is_branch(proof.byte())) {
+    Node node = read_node(proof);
+    for (; node == Node::branch || node == Node::base; node = read_node(proof)) {
+      if (node == Node::base) {
+        add_base(path.size(), read_leaf(proof));
+        continue;
+      }
       path.push_back({edge_of_open_[proof.number_below(open_edges_.size())], true, {}});
       decide(path.back());
     }
-    leaves.push_back(read_leaf(proof));
-    while (!path.empty() && !path.back().is_in) {
-      take_back(path.back());
-      path.pop_back();
-    }
-    if (!path.empty()) {
-      take_back(path.back());
-      path.back().is_in = false;
-      decide(path.back());
-    }
+    visit(node == Node::leaf ? read_leaf(proof) : read_changes(proof));
+    take_back_and_go_on(path);
   } while (!path.empty());
-  return leaves;
+}
+
+// To the other case of the last decision that has been followed in one case only.
+void Region::take_back_and_go_on(std::vector<Decision>& path) {
+  while (!path.empty() && !path.back().is_in) {
+    take_back(path.back());
+    path.pop_back();
+  }
+  while (!bases_.empty() && bases_.back().decisions >= path.size()) {
+    bases_.pop_back();
+    is_loaded_ = false;
+  }
+  if (path.empty()) return;
+  take_back(path.back());
+  path.back().is_in = false;
+  decide(path.back());
 }
 
 void Region::decide(Decision& decision) {
@@ -138,82 +158,210 @@ void Region::decide(Decision& decision) {
   decision.removed.clear();
   if (decision.is_in) {
     chosen.is_decided_in = true;
-    const auto end = [&](Corner corner) -> const Point& { return points_[corners_[corner]]; };
+    const auto point = [&](Corner corner) -> const Point& { return points_[corners_[corner]]; };
+    std::vector<int> side;  // of the chosen edge's line, by corner
+    for (Corner c = 0; c < corners_.size(); ++c) side.push_back(turn(point(chosen.a), point(chosen.b), point(c)));
     for (const EdgeNumber number : edge_of_open_) {
       const RegionEdge& other = edges_[number];
-      const bool is_crossed = do_cross(end(chosen.a), end(chosen.b), end(other.a), end(other.b));
-      if (is_crossed && !other.is_removed) decision.removed.push_back(number);
+      if (side[other.a] * side[other.b] > 0 || other.is_removed) continue;
+      if (do_cross(point(chosen.a), point(chosen.b), point(other.a), point(other.b)))
+        decision.removed.push_back(number);
     }
   } else {
     decision.removed.push_back(decision.edge);
   }
-  for (const EdgeNumber number : decision.removed) edges_[number].is_removed = true;
+  for (const EdgeNumber number : decision.removed) {
+    edges_[number].is_removed = true;
+    update_cost(number);
+  }
 }
 
 void Region::take_back(const Decision& decision) {
   edges_[decision.edge].is_decided_in = false;
-  for (const EdgeNumber number : decision.removed) edges_[number].is_removed = false;
+  for (const EdgeNumber number : decision.removed) {
+    edges_[number].is_removed = false;
+    update_cost(number);
+  }
 }
 
+std::int64_t Region::read_dual(ProofReader& proof) {
+  const std::int64_t dual = proof.signed_number();
+  require(dual > -kLimit && dual < kLimit, "a dual value is out of range");
+  return dual;
+}
+
+// All dual values.
 Leaf Region::read_leaf(ProofReader& proof) {
-  const auto read_dual = [&] {
-    const std::int64_t dual = proof.signed_number();
-    require(dual > -kLimit && dual < kLimit, "a dual value is out of range");
-    return dual;
-  };
   Leaf leaf;
-  const auto add_dual = [&](std::int64_t dual) {
-    require(!__builtin_add_overflow(leaf.sum, dual, &leaf.sum), "the dual values of a region are too large");
-  };
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     RegionEdge& edge = edges_[edge_of_side_[i]];
-    const std::int64_t dual = read_dual();
+    const std::int64_t dual = read_dual(proof);
     (sides_[i].from < sides_[i].to ? edge.forward : edge.backward) = dual;
-    add_dual(dual);
+    add_to(leaf.sum, dual);
   }
   for (std::size_t i = 0; i < open_edges_.size(); ++i) {
     RegionEdge& edge = edges_[edge_of_open_[i]];
     const bool is_forward = open_edges_[i].a < open_edges_[i].b;
-    const std::int64_t dual = read_dual();
-    const std::int64_t other = edge.is_decided_in ? read_dual() : -dual;
+    const std::int64_t dual = read_dual(proof);
+    const std::int64_t other = edge.is_decided_in ? read_dual(proof) : -dual;
     edge.forward = is_forward ? dual : other;
     edge.backward = is_forward ? other : dual;
-    add_dual(dual + other);
+    add_to(leaf.sum, dual + other);
   }
+  update_costs();
   leaf.worst = worst_triangle();
+  is_loaded_ = false;
   return leaf;
+}
+
+// The dual values just read.
+void Region::add_base(std::size_t decisions, const Leaf& leaf) {
+  require(bases_.size() < kMaxBases, "too many dual values are to be changed");
+  bases_.push_back({decisions, {}, leaf});
+  for (const RegionEdge& edge : edges_) bases_.back().duals.push_back({edge.forward, edge.backward});
+  is_loaded_ = true;
+  if (!around_.empty()) return;
+  around_.resize(corners_.size());
+  for (Corner a = 0; a < spokes_.size(); ++a) {
+    for (const Spoke& spoke : spokes_[a]) {
+      around_[a].push_back({spoke.to, spoke.edge});
+      around_[spoke.to].push_back({a, spoke.edge});
+    }
+  }
+  is_changed_.assign(edges_.size(), false);
+}
+
+// Those that differ from the last base. What triangles without changed sides cost is known.
+Leaf Region::read_changes(ProofReader& proof) {
+  require(!bases_.empty(), "a leaf changes dual values where there are none");
+  const Base& base = bases_.back();
+  if (!is_loaded_) {
+    for (EdgeNumber i = 0; i < edges_.size(); ++i) {
+      edges_[i].forward = base.duals[i].forward;
+      edges_[i].backward = base.duals[i].backward;
+    }
+    update_costs();
+    is_loaded_ = true;
+  }
+  Leaf leaf = base.leaf;
+  std::uint64_t place = 0;
+  for (std::uint64_t count = proof.number(), i = 0; i < count; ++i) {
+    require(place < sides_.size(), "a change is out of range");
+    place += proof.number_below(sides_.size() - place);
+    RegionEdge& edge = note_change(edge_of_side_[place]);
+    const std::int64_t dual = read_dual(proof);
+    std::int64_t& known = sides_[place].from < sides_[place].to ? edge.forward : edge.backward;
+    add_to(leaf.sum, dual - known);
+    known = dual;
+    ++place;
+  }
+  place = 0;
+  for (std::uint64_t count = proof.number(), i = 0; i < count; ++i) {
+    require(place < open_edges_.size(), "a change is out of range");
+    place += proof.number_below(open_edges_.size() - place);
+    RegionEdge& edge = note_change(edge_of_open_[place]);
+    const bool is_forward = open_edges_[place].a < open_edges_[place].b;
+    const std::int64_t dual = read_dual(proof);
+    const std::int64_t other = edge.is_decided_in ? read_dual(proof) : -dual;
+    add_to(leaf.sum, dual + other - (edge.forward + edge.backward));
+    edge.forward = is_forward ? dual : other;
+    edge.backward = is_forward ? other : dual;
+    ++place;
+  }
+  for (const EdgeNumber number : changed_) update_cost(number);
+  leaf.worst = std::min(leaf.worst, worst_changed_triangle());
+  for (const EdgeNumber number : changed_) {
+    edges_[number].forward = base.duals[number].forward;
+    edges_[number].backward = base.duals[number].backward;
+    is_changed_[number] = false;
+    update_cost(number);
+  }
+  changed_.clear();
+  return leaf;
+}
+
+Region::RegionEdge& Region::note_change(EdgeNumber number) {
+  if (!is_changed_[number]) changed_.push_back(number);
+  is_changed_[number] = true;
+  return edges_[number];
+}
+
+Region::SideCosts Region::costs_of(const RegionEdge& edge) {
+  return {edge.has_forward && !edge.is_removed ? edge.half_length - edge.forward : kAbsent,
+          edge.has_backward && !edge.is_removed ? edge.half_length - edge.backward : kAbsent};
+}
+
+void Region::update_costs() {
+  for (auto& spokes : spokes_) {
+    for (Spoke& spoke : spokes) spoke.cost = costs_of(edges_[spoke.edge]);
+  }
+}
+
+void Region::update_cost(EdgeNumber number) {
+  const RegionEdge& edge = edges_[number];
+  auto& spokes = spokes_[edge.a];
+  std::lower_bound(spokes.begin(), spokes.end(), edge.b, [](const Spoke& s, Corner c) { return s.to < c; })->cost =
+      costs_of(edge);
 }
 
 // The least r(t), or 0 if none is negative.
 std::int64_t Region::worst_triangle() {
   std::int64_t worst = 0;
-  for (Corner a = 0; a < spokes_.size(); ++a) {
-    for (const Spoke& spoke : spokes_[a]) {
-      if (!edges_[spoke.edge].is_removed) edge_to_[spoke.to] = spoke.edge;
-    }
-    for (const Spoke& ab : spokes_[a]) {
-      if (edge_to_[ab.to] == kNone) continue;
-      for (const Spoke& bc : spokes_[ab.to]) {
-        const EdgeNumber ac = edge_to_[bc.to];
-        if (ac != kNone && !edges_[bc.edge].is_removed) look_at(edges_[ab.edge], edges_[bc.edge], edges_[ac], worst);
-      }
-    }
-    for (const Spoke& spoke : spokes_[a]) edge_to_[spoke.to] = kNone;
-  }
+  for (Corner a = 0; a < spokes_.size(); ++a) look_around(a, spokes_[a], worst);
   return worst;
 }
 
-// Whether the three edges bound a triangle and which way round it goes is looked at only if it would matter.
-void Region::look_at(const RegionEdge& ab, const RegionEdge& bc, const RegionEdge& ac, std::int64_t& worst) const {
-  const std::int64_t halves = ab.half_length + bc.half_length + ac.half_length;
-  const Index a = corners_[ab.a], b = corners_[ab.b], c = corners_[bc.b];
-  const std::int64_t left = halves - ab.forward - bc.forward - ac.backward;
-  const bool has_left = ab.has_forward && bc.has_forward && ac.has_backward;
-  if (has_left && left < worst && turn(points_[a], points_[b], points_[c]) > 0 && tree_.is_empty(a, b, c)) worst = left;
-  const std::int64_t right = halves - ab.backward - bc.backward - ac.forward;
-  const bool has_right = ab.has_backward && bc.has_backward && ac.has_forward;
-  if (has_right && right < worst && turn(points_[a], points_[b], points_[c]) < 0 && tree_.is_empty(a, c, b))
-    worst = right;
+// The least r(t) of triangles with a changed side, or 0 if none is negative. Each is found around that end of a changed
+// side at which more sides changed.
+std::int64_t Region::worst_changed_triangle() {
+  std::vector<Corner> ends;
+  for (const EdgeNumber number : changed_) {
+    ends.push_back(edges_[number].a);
+    ends.push_back(edges_[number].b);
+  }
+  std::sort(ends.begin(), ends.end());
+  const auto changes_at = [&](Corner c) {
+    const auto [begin, end] = std::equal_range(ends.begin(), ends.end(), c);
+    return end - begin;
+  };
+  std::vector<Corner> centres;
+  for (const EdgeNumber number : changed_) {
+    const auto& [a, b] = std::pair(edges_[number].a, edges_[number].b);
+    centres.push_back(changes_at(a) < changes_at(b) ? b : a);
+  }
+  std::sort(centres.begin(), centres.end());
+  centres.erase(std::unique(centres.begin(), centres.end()), centres.end());
+  std::int64_t worst = 0;
+  for (const Corner centre : centres) look_around(centre, around_[centre], worst);
+  return worst;
+}
+
+// At the triangles v b c, b < c, with b and c among these neighbours of v.
+template <class Neighbours>
+void Region::look_around(Corner v, const Neighbours& neighbours, std::int64_t& worst) {
+  for (const auto& neighbour : neighbours) {
+    const SideCosts cost = costs_of(edges_[neighbour.edge]);
+    cost_to_[neighbour.to] = v < neighbour.to ? cost : SideCosts{cost.backward, cost.forward};
+  }
+  for (const auto& neighbour : neighbours) {
+    const Corner b = neighbour.to;
+    const SideCosts vb = cost_to_[b];
+    if (vb.forward == kAbsent && vb.backward == kAbsent) continue;
+    for (const Spoke& bc : spokes_[b]) {
+      const SideCosts& vc = cost_to_[bc.to];
+      const std::int64_t left = vb.forward + bc.cost.forward + vc.backward;
+      const std::int64_t right = vb.backward + bc.cost.backward + vc.forward;
+      if (left < worst) look_at(v, b, bc.to, left, worst);
+      if (right < worst) look_at(v, bc.to, b, right, worst);
+    }
+  }
+  for (const auto& neighbour : neighbours) cost_to_[neighbour.to] = {kAbsent, kAbsent};
+}
+
+// Whether this is a triangle that goes round counter-clockwise is looked at only where it matters.
+void Region::look_at(Corner a, Corner b, Corner c, std::int64_t cost, std::int64_t& worst) const {
+  const Index p = corners_[a], q = corners_[b], r = corners_[c];
+  if (turn(points_[p], points_[q], points_[r]) > 0 && tree_.is_empty(p, q, r)) worst = cost;
 }
 
 }  // namespace mwt::verifier

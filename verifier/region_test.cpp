@@ -28,7 +28,8 @@ std::vector<Leaf> leaves_of(const std::vector<Point>& points, const std::vector<
   EXPECT_EQ(reader.number(), 5U);
   const PointTree tree(points);
   Region region(points, tree, reader);
-  std::vector<Leaf> leaves = region.read_leaves(reader);
+  std::vector<Leaf> leaves;
+  region.read_leaves(reader, [&](const Leaf& leaf) { leaves.push_back(leaf); });
   reader.expect_end();
   return leaves;
 }
@@ -56,13 +57,13 @@ TEST(Region, DualValuesWithinTheirMeansCountInFull) {
   EXPECT_EQ(leaves[0].worst, 0);
 }
 
-TEST(Region, ANodeIsALeafOrABranch) {
+TEST(Region, ANodeIsOfAKnownKind) {
   RegionStep region = square_region({3, 2, 3, 2}, {0, 0});
   std::vector<std::uint8_t> bytes = bytes_of(region);
   region.tree.clear();
   std::uint8_t& tag = bytes[bytes_of(region).size()];
   ASSERT_EQ(tag, 0);
-  tag = 2;
+  tag = 4;
   EXPECT_THROW(static_cast<void>(leaves_of(kSquare, bytes)), Refused);
 }
 
@@ -102,6 +103,66 @@ TEST(Region, TakesDecisionsBack) {
   const std::vector<Leaf> leaves = leaves_of(kSquare, region);
   EXPECT_EQ(leaves[0].worst, 0) << "diagonal 0 2 crosses the one that is in";
   EXPECT_EQ(leaves[1].worst, -1) << "and is back";
+}
+
+TreeNode changes(std::vector<std::uint64_t> sides, std::vector<std::int64_t> side_duals,
+                 std::vector<std::uint64_t> edges, std::vector<std::vector<std::int64_t>> edge_duals) {
+  return {true, 0, std::move(side_duals), std::move(edge_duals), false, true, std::move(sides), std::move(edges)};
+}
+
+// The base: 0 0 0 0 on the sides, which is 5 less than what every triangle pays.
+RegionStep square_with_base() {
+  RegionStep region{0, {{0, 1, 2, 3}}, {}, {{0, 2}, {1, 3}}, {}};
+  region.tree.push_back({true, 0, {0, 0, 0, 0}, {{0}, {0}}, true});
+  return region;
+}
+
+TEST(Region, LeavesChangeTheDualValuesOfTheirBase) {
+  RegionStep region = square_with_base();
+  region.tree.push_back({false, 0, {}, {}});
+  region.tree.push_back(changes({}, {}, {0}, {{5, 4}}));
+  region.tree.push_back(changes({0, 3}, {3, 4}, {}, {}));
+  const std::vector<Leaf> leaves = leaves_of(kSquare, region);
+  ASSERT_EQ(leaves.size(), 2U);
+  EXPECT_EQ(leaves[0].sum, 9);
+  EXPECT_EQ(leaves[0].worst, 0);
+  EXPECT_EQ(leaves[1].sum, 7);
+  EXPECT_EQ(leaves[1].worst, -2) << "triangle 0 1 3 pays 5 for both sides, whatever the leaf before changed";
+}
+
+TEST(Region, WhatABaseLacksItsLeavesLack) {
+  RegionStep region = square_with_base();
+  region.tree.front().side_duals = {6, 0, 0, 0};
+  region.tree.push_back(changes({2}, {1}, {}, {}));
+  const std::vector<Leaf> leaves = leaves_of(kSquare, region);
+  EXPECT_EQ(leaves[0].sum, 7);
+  EXPECT_EQ(leaves[0].worst, -1);
+}
+
+TEST(Region, ABaseHoldsForWhatIsBelowIt) {
+  RegionStep region = square_with_base();
+  region.tree.front().side_duals = {2, 2, 0, 0};
+  region.tree.push_back({false, 0, {}, {}});
+  region.tree.push_back({true, 0, {1, 1, 1, 0}, {{0, 0}, {0}}, true});
+  region.tree.push_back(changes({}, {}, {}, {}));
+  region.tree.push_back(changes({}, {}, {}, {}));
+  const std::vector<Leaf> leaves = leaves_of(kSquare, region);
+  ASSERT_EQ(leaves.size(), 2U);
+  EXPECT_EQ(leaves[0].sum, 3);
+  EXPECT_EQ(leaves[1].sum, 4);
+  region.tree[2].is_base = false;
+  region.tree.erase(region.tree.begin() + 3);
+  EXPECT_EQ(leaves_of(kSquare, region)[1].sum, 4) << "after a leaf of its own dual values";
+  region.tree.front() = {false, 1, {}, {}};
+  EXPECT_THROW(leaves_of(kSquare, region), Refused) << "changes without a base";
+}
+
+TEST(Region, ChangesAreInRange) {
+  for (const TreeNode& leaf : {changes({4}, {1}, {}, {}), changes({}, {}, {2}, {{1}})}) {
+    RegionStep region = square_with_base();
+    region.tree.push_back(leaf);
+    EXPECT_THROW(leaves_of(kSquare, region), Refused);
+  }
 }
 
 TEST(Region, PointsWithoutCertainEdgesBelongToIt) {

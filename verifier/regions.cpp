@@ -12,6 +12,18 @@ namespace {
 
 constexpr Index kNoPoint = std::numeric_limits<Index>::max();
 
+// Leaves of which none proves less than another whatever the number of triangles. Nearly all proofs have one a region.
+constexpr std::size_t kMaxLeastLeaves = 10'000;
+
+bool proves_no_less(const Leaf& one, const Leaf& other) { return one.sum >= other.sum && one.worst >= other.worst; }
+
+void keep_if_least(const Leaf& leaf, std::vector<Leaf>& least) {
+  if (std::any_of(least.begin(), least.end(), [&](const Leaf& other) { return proves_no_less(leaf, other); })) return;
+  std::erase_if(least, [&](const Leaf& other) { return proves_no_less(other, leaf); });
+  require(least.size() < kMaxLeastLeaves, "a region has too many leaves");
+  least.push_back(leaf);
+}
+
 }  // namespace
 
 Regions::Regions(Points points, const PointTree& tree, const Reductions& reductions, const std::vector<Index>& hull)
@@ -61,7 +73,8 @@ void Regions::read(ProofReader& proof) {
   const auto label = static_cast<Label>(outcomes_.size() + 1);
   for (const Side& side : region.sides()) label_side(side, label);
   for (const OpenEdge& edge : region.open_edges()) label_open_edge(edge, label);
-  outcomes_.push_back({region.unit_exponent(), region.read_leaves(proof)});
+  Outcome& outcome = outcomes_.emplace_back(Outcome{region.unit_exponent(), {}});
+  region.read_leaves(proof, [&](const Leaf& leaf) { keep_if_least(leaf, outcome.leaves); });
 }
 
 void Regions::check_labels_of_triangles() const {

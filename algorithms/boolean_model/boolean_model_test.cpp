@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/boolean_model/crossing_model.h"
-#include "algorithms/boolean_model/model_count.h"
+#include "algorithms/boolean_model/model_search.h"
 #include "algorithms/common/testing/solver_testing.h"
 #include "base/error.h"
 #include "generators/registry.h"
@@ -38,10 +38,13 @@ TEST(BooleanModel, CountsTheModelsOfTheReportsExample) {
 
 TEST(BooleanModel, ModelsAreExactlyTheTriangulations) {
   for_each_family(8, [](Points points) {
-    const auto models = count_models(CrossingModel(points), {});
-    ASSERT_TRUE(models);
-    EXPECT_TRUE(models->have_the_same_size);
-    EXPECT_EQ(std::to_string(models->count), solve_and_check("brute_force", points).count);
+    const CrossingModel model(points);
+    const ModelSummary all = search_models(points, model, std::vector<ModelEdge>(model.edges.size()), {});
+    EXPECT_FALSE(all.stop_reason);
+    EXPECT_TRUE(all.have_the_same_size);
+    const Solution expected = solve_and_check("brute_force", points);
+    EXPECT_EQ(all.count, expected.count);
+    EXPECT_TRUE(overlap(all.weight, *expected.optimum)) << "without the linear program";
   });
 }
 
@@ -54,13 +57,32 @@ TEST(BooleanModel, AgreesWithOtherSolversOnEveryFamily) {
   }
 }
 
-TEST(BooleanModelSlow, AgreesWithOtherSolversOnTwelvePoints) {
-  for (const char* family : {"uniform", "integer_uniform", "lattice", "wheel"}) {
-    SCOPED_TRACE(family);
-    const std::vector<Point> points = instance(family, 12, 1);
-    EXPECT_TRUE(
-        overlap(*solve_to_optimality("boolean_model", points).optimum, *solve_to_optimality("exact", points).optimum));
+TEST(BooleanModelSlow, AgreesWithExactOnTwentyPoints) {
+  for (const Index n : {13U, 20U}) {
+    for_each_family(n, [](Points points) {
+      EXPECT_TRUE(overlap(*solve_to_optimality("boolean_model", points).optimum,
+                          *solve_to_optimality("exact", points).optimum));
+    });
   }
+}
+
+TEST(BooleanModel, CountsTheTriangulationsOfAPolygon) {
+  const Solution solution = solve_and_check("boolean_model", instance("convex_position", 20, 1), {{"count", "on"}});
+  EXPECT_EQ(solution.count, "477638700") << "the 18th Catalan number";
+}
+
+TEST(ModelSearch, KeepsToWhatIsKnown) {
+  const std::vector<Point> square = {{0, 0}, {3, 0}, {4, 4}, {0, 3}};
+  const CrossingModel model(square);  // edges 0 1, 0 2, 0 3, 1 2, 1 3, 2 3
+  std::vector<ModelEdge> known(6, ModelEdge::open);
+  EXPECT_EQ(search_models(square, model, known, {}).count, "2");
+  EXPECT_EQ(search_models(square, model, known, {}).lightest, (std::vector<std::uint32_t>{0, 2, 3, 4, 5}));
+  known[4] = ModelEdge::out;
+  EXPECT_EQ(search_models(square, model, known, {}).lightest, (std::vector<std::uint32_t>{0, 1, 2, 3, 5}));
+  known[1] = ModelEdge::out;
+  EXPECT_EQ(search_models(square, model, known, {}).count, "0");
+  known[1] = known[4] = ModelEdge::in;
+  EXPECT_EQ(search_models(square, model, known, {}).count, "0");
 }
 
 // Every fourth point on a side of the hull, and a lattice: edges overlap and pass through points.

@@ -9,7 +9,7 @@ namespace {
 
 // What a solution may miss of 0, 1 or a right side and still count as there.
 constexpr double kReadingError = 1e-6;
-// How often multipliers are refined, and how often cliques are added, before branching is the better way.
+// How often multipliers are refined, and how often cliques are added, at most.
 constexpr int kMaxRefinements = 3, kMaxRounds = 30;
 // Relative to the sum of the terms' magnitudes: lengths err by 2^-97, each addition by 2^-100.
 constexpr double kSumError = 0x1p-88;
@@ -18,12 +18,7 @@ constexpr double kSumError = 0x1p-88;
 
 // Column 0 stands for choosing nothing at all, so that every restriction has a solution; it costs more than any model.
 EdgeProgram::EdgeProgram(Points points, const CrossingModel& model, double unit, const Deadline& deadline)
-    : model_(model),
-      deadline_(deadline),
-      rows_of_(model.edges.size()),
-      decision_row_(model.edges.size(), -1),
-      use_(model.edges.size(), 0),
-      decisions_(model.edges.size()) {
+    : model_(model), deadline_(deadline), rows_of_(model.edges.size()), use_(model.edges.size(), 0) {
   program_.add_column({});
   std::vector<std::uint32_t> all;
   for (std::uint32_t e = 0; e < model.edges.size(); ++e) {
@@ -33,14 +28,14 @@ EdgeProgram::EdgeProgram(Points points, const CrossingModel& model, double unit,
     program_.add_column({});
     all.push_back(e);
   }
-  add_row({all, static_cast<double>(model.size), Sense::equal, true});
+  add_row({all, static_cast<double>(model.size), Sense::equal});
   for (std::uint32_t e = 0; e < model.edges.size(); ++e) {
     std::vector<std::uint32_t> edges = model.crossing[e];
     edges.push_back(e);
     if (model.crossing[e].empty()) {
-      add_row({edges, 1, Sense::equal, true});
+      add_row({edges, 1, Sense::equal});
     } else {
-      add_row({edges, 1, Sense::at_least, true});
+      add_row({edges, 1, Sense::at_least});
     }
   }
 }
@@ -62,25 +57,13 @@ int EdgeProgram::add_row(const Row& row) {
   return number;
 }
 
-void EdgeProgram::decide(std::uint32_t edge, std::optional<bool> decision) {
-  decisions_[edge] = decision;
-  if (decision_row_[edge] < 0) decision_row_[edge] = add_row({{edge}, 0, Sense::equal, false});
-  const auto number = static_cast<std::size_t>(decision_row_[edge]);
-  rows_[number].is_active = decision.has_value();
-  rows_[number].right_side = decision.value_or(false) ? 1 : 0;
-  if (!decision) multiplier_[number] = 0;
-  const auto right_side = decision ? std::optional(rows_[number].right_side) : std::nullopt;
-  program_.set_right_side(decision_row_[edge], right_side);
-}
-
 DoubleDouble EdgeProgram::reduced_cost(std::uint32_t edge) const {
   DoubleDouble result = cost_[edge];
   for (const std::uint32_t row : rows_of_[edge]) result += -multiplier_[row];
   return result;
 }
 
-// `worst` becomes the least reduced cost, at most 0.
-double EdgeProgram::bound(double& worst) const {
+EdgeProgram::Bound EdgeProgram::bound() const {
   DoubleDouble sum;
   double magnitude = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -88,7 +71,7 @@ double EdgeProgram::bound(double& worst) const {
     sum += exact_product(multiplier_[i], rows_[i].right_side);
     magnitude += std::abs(term);
   }
-  worst = 0;
+  double worst = 0;
   for (std::uint32_t e = 0; e < model_.edges.size(); ++e) {
     const DoubleDouble reduced = reduced_cost(e);
     worst = std::min(worst, reduced.high);
@@ -96,7 +79,8 @@ double EdgeProgram::bound(double& worst) const {
     for (const std::uint32_t row : rows_of_[e]) magnitude += std::abs(multiplier_[row]);
     if (reduced.high < 0) sum += reduced;  // times x <= 1
   }
-  return next_down(sum.high - (kSumError * magnitude + std::abs(sum.low)));
+  const double error = kSumError * magnitude + std::abs(sum.low);
+  return {next_down(sum.high - error), worst, 2 * error};
 }
 
 bool EdgeProgram::optimise(LinearProgram::Method method, double scale) {
@@ -119,7 +103,6 @@ bool EdgeProgram::optimise(LinearProgram::Method method, double scale) {
   ++programs_;
   if (!program_.solve(method, deadline_)) return false;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (!rows_[i].is_active) continue;
     multiplier_[i] += program_.dual(static_cast<int>(i)) / scale;
     if (rows_[i].sense == Sense::at_least) multiplier_[i] = std::max(multiplier_[i], 0.0);
     if (rows_[i].sense == Sense::at_most) multiplier_[i] = std::min(multiplier_[i], 0.0);
@@ -129,21 +112,25 @@ bool EdgeProgram::optimise(LinearProgram::Method method, double scale) {
 }
 
 double EdgeProgram::solve(double enough) {
-  double best = 0, worst = 0;
   double scale = 1;
   int refinements = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
     if (!optimise(round == 0 ? LinearProgram::Method::dual : LinearProgram::Method::primal, scale)) break;
-    best = std::max(best, bound(worst));
-    if (best >= enough) break;
+    const Bound now = bound();
+    if (now.lower > best_.lower) {
+      best_ = now;
+      best_reduced_cost_.clear();
+      for (std::uint32_t e = 0; e < model_.edges.size(); ++e) best_reduced_cost_.push_back(reduced_cost(e));
+    }
+    if (best_.lower >= enough) break;
     if (add_violated_cliques()) {
       scale = 1;
       continue;
     }
-    if (refinements++ == kMaxRefinements || worst >= 0) break;
-    scale = std::ldexp(1.0, std::min(-std::ilogb(worst), 50));
+    if (refinements++ == kMaxRefinements || now.worst >= 0) break;
+    scale = std::ldexp(1.0, std::min(-std::ilogb(now.worst), 50));
   }
-  return best;
+  return best_.lower;
 }
 
 // Begins with each pair that the solution uses too much together, and adds what crosses all so far, most used first.
@@ -176,23 +163,19 @@ bool EdgeProgram::add_violated_cliques() {
     if (std::find(cliques.begin(), cliques.end(), clique) == cliques.end()) cliques.push_back(std::move(clique));
     if (cliques.size() == kMaxCliques) break;
   }
-  for (std::vector<std::uint32_t>& clique : cliques) add_row({std::move(clique), 1, Sense::at_most, true});
+  for (std::vector<std::uint32_t>& clique : cliques) add_row({std::move(clique), 1, Sense::at_most});
   return !cliques.empty();
 }
 
-std::optional<std::uint32_t> EdgeProgram::fractional_edge() const {
-  std::optional<std::uint32_t> best;
-  double best_merit = 0;
-  for (std::uint32_t e = 0; e < use_.size(); ++e) {
-    const double fraction = std::min(use_[e], 1 - use_[e]);
-    if (decisions_[e] || model_.crossing[e].empty() || fraction < kReadingError) continue;
-    const double merit = fraction * cost_[e].high;
-    if (merit > best_merit) {
-      best = e;
-      best_merit = merit;
-    }
+std::vector<ModelEdge> EdgeProgram::fixed_edges(double limit) const {
+  std::vector<ModelEdge> fixed(model_.edges.size(), ModelEdge::open);
+  for (std::uint32_t e = 0; e < best_reduced_cost_.size(); ++e) {
+    const double reduced = best_reduced_cost_[e].high;
+    const double with_the_other = next_down(best_.lower + next_down(std::abs(reduced) - best_.error));
+    if (with_the_other <= limit) continue;
+    fixed[e] = reduced > 0 ? ModelEdge::out : ModelEdge::in;
   }
-  return best;
+  return fixed;
 }
 
 }  // namespace mwt

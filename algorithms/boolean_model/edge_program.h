@@ -1,11 +1,11 @@
 // The linear relaxation of the Boolean model, with bounds that hold whatever the simplex method's rounding.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "algorithms/boolean_model/crossing_model.h"
+#include "algorithms/boolean_model/model_search.h"
 #include "algorithms/triangle_lp/linear_program.h"
 #include "geometry/numbers/double_double.h"
 
@@ -22,18 +22,17 @@ class EdgeProgram {
   /// `unit` is a power of two by which lengths are divided. All must stay alive.
   EdgeProgram(Points points, const CrossingModel& model, double unit, const Deadline& deadline);
 
-  /// Forces an edge in (true) or out, or takes that back.
-  void decide(std::uint32_t edge, std::optional<bool> decision);
-
-  /// A lower bound on the length, in units, of every model that obeys the decisions. Stops when it reaches `enough`.
+  /// A lower bound on the length, in units, of every model. Stops when it reaches `enough`.
   ///
   /// Any multipliers of the rows give one: their right sides, less what edges of negative reduced cost could save. The
   /// simplex method's are made better by solving for the reduced costs, enlarged, again.
   [[nodiscard]] double solve(double enough);
 
-  /// The edge that the last solution leaves most undecided; nothing if it is whole or there is none.
-  [[nodiscard]] std::optional<std::uint32_t> fractional_edge() const;
+  /// What is certain, by the best multipliers so far, of the edges of models shorter than `limit`, in units: choosing
+  /// an edge, or not choosing it, costs at least its reduced cost more than the bound.
+  [[nodiscard]] std::vector<ModelEdge> fixed_edges(double limit) const;
 
+  /// In the last solution.
   [[nodiscard]] double use(std::uint32_t edge) const { return use_[edge]; }
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
@@ -43,12 +42,16 @@ class EdgeProgram {
     std::vector<std::uint32_t> edges;
     double right_side;
     Sense sense;
-    bool is_active;  // decisions come and go
+  };
+  struct Bound {
+    double lower;
+    double worst;  // the least reduced cost, at most 0
+    double error;  // of any reduced cost, and of the bound
   };
 
   int add_row(const Row& row);
   bool optimise(LinearProgram::Method method, double scale);
-  [[nodiscard]] double bound(double& worst) const;
+  [[nodiscard]] Bound bound() const;
   [[nodiscard]] DoubleDouble reduced_cost(std::uint32_t edge) const;
   bool add_violated_cliques();
 
@@ -60,9 +63,9 @@ class EdgeProgram {
   std::vector<int> slack_column_;                    // by row; -1 for equations
   std::vector<double> multiplier_;                   // by row
   std::vector<std::vector<std::uint32_t>> rows_of_;  // by edge
-  std::vector<int> decision_row_;                    // by edge; -1 if there is none yet
   std::vector<double> use_;
-  std::vector<std::optional<bool>> decisions_;
+  Bound best_{0, 0, 0};
+  std::vector<DoubleDouble> best_reduced_cost_;  // by edge; none before the first bound
   std::uint64_t programs_ = 0;
 };
 

@@ -32,7 +32,7 @@ std::vector<Case> long_cases() {
       {"triangle_lp", generate("wheel", 150, 1), {}},
       {"subset_dp", generate("uniform", 24, 1), {{"max_points", "24"}}},
       {"brute_force", generate("uniform", 16, 1), {{"max_points", "16"}}},
-      {"boolean_model", generate("circle", 24, 1), {}},
+      {"boolean_model", generate("uniform", 24, 1), {{"count", "on"}}},
       {"greedy_naive", generate("uniform", 10000, 1), {}},
       {"greedy_naive", generate("circle", 6000, 1), {}},
       {"flip_naive", generate("uniform", 10000, 1), {{"start", "greedy"}}},

@@ -426,14 +426,16 @@ TEST(Exact, ReportsStagesAndCounters) {
     done = share;
   };
   const Solution solution = exact(points, context);
-  EXPECT_EQ(stages, (std::vector<std::string>{"k-d order", "diamond test", "LMT-skeleton", "certain edges", "faces"}));
+  EXPECT_EQ(stages, (std::vector<std::string>{"k-d order", "diamond test", "diamond test and LMT-skeleton",
+                                              "certain edges", "faces"}));
   EXPECT_EQ(done, 1);
   std::vector<std::string> phases;
   for (const auto& [name, seconds] : context.phases) {
     phases.push_back(name);
     EXPECT_GE(seconds, 0) << name;
   }
-  EXPECT_EQ(phases, (std::vector<std::string>{"kd_order", "diamond_test", "lmt", "certain_edges", "faces"}));
+  EXPECT_EQ(phases, (std::vector<std::string>{"kd_order", "diamond_distances", "diamond_test_and_lmt", "certain_edges",
+                                              "faces"}));
   const auto& counters = solution.counters;
   EXPECT_GT(counters.at("edges_after_diamond_test"), counters.at("edges_after_lmt"));
   EXPECT_GT(counters.at("edges_after_lmt"), counters.at("certain_edges"));

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "algorithms/exact/cut_proof.h"
 #include "algorithms/exact/division/crossing_candidates.h"
 #include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/faces/face_traversal.h"
 #include "algorithms/exact/faces/walk_diagonals.h"
 #include "algorithms/exact/holes/local_region.h"
 #include "algorithms/exact/holes/region_triangles.h"
+#include "algorithms/exact/strip_proof.h"
 #include "algorithms/proof/cover_duals.h"
 #include "algorithms/proof/polygon_duals.h"
 #include "algorithms/proof_trace.h"
@@ -50,16 +50,20 @@ class FaceProof {
     const auto diagonals = diagonals_of_walk(faces_.graph(), walk);
     if (!diagonals) return part.composite_walks.push_back(walk);
     if (walk.size() > kLongWalk && has_passed(context_.deadline)) return;  // no more than what takes no time
+    if (!context_.fits(PolygonDuals::bytes_for(diagonals->size()))) return;
     std::vector<Index> corners;
     for (const Corner& corner : walk) corners.push_back(corner.vertex);
-    part.regions.push_back(polygons_.local().solve(faces_.graph().points, corners, *diagonals));
+    auto region = polygons_.local().solve(faces_.graph().points, corners, *diagonals, context_.deadline);
+    if (region) part.regions.push_back(*std::move(region));
   }
 
   void note_composite_faces() {
     const std::vector<FaceRegion> regions = faces_.take_composite_faces();
     if (regions.empty()) return;
     const auto point_count = static_cast<Index>(faces_.graph().points.size());
-    known_ = canonical_triangles({point_count, {triangles_.begin(), triangles_.end()}});
+    const Triangulation known{point_count, {triangles_.begin(), triangles_.end()}};
+    known_ = canonical_triangles(known);
+    known_edges_ = edges_of(known);
     std::vector<std::optional<DualRegion>> noted(regions.size());
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) { noted[i] = note_region(regions[i]); });
     ProofPart& part = faces_.parts().emplace_back();
@@ -73,7 +77,7 @@ class FaceProof {
     if (has_passed(context_.deadline)) return {};
     const LocalRegion local = make_local(faces_.graph().points, region);
     DualRegion result = outline(local);
-    if (region.components != 2 || !add_cut_duals(result, local, context_.deadline)) {
+    if (region.components != 2 || !add_duals_around_hole(result, local, region.diagonal_count())) {
       const auto triangles = region_triangles(local.points, local.sides, kMaxTriangles, context_.deadline);
       if (!triangles) return {};
       const std::vector<Triangle> start = known_among(local, *triangles);
@@ -83,6 +87,25 @@ class FaceProof {
     }
     for (Index& place : result.places) place = local.vertices[place];
     return result;
+  }
+
+  [[nodiscard]] bool add_duals_around_hole(DualRegion& result, const LocalRegion& local, std::size_t diagonals) const {
+    if (!context_.fits(3 * PolygonDuals::bytes_for(result.open_edges.size()))) return false;
+    return add_strip_duals(result, local, known_length(result, local, diagonals), context_.deadline);
+  }
+
+  // Of the region's open edges that the triangulation has, if they triangulate it.
+  [[nodiscard]] std::optional<double> known_length(const DualRegion& outline, const LocalRegion& local,
+                                                   std::size_t diagonals) const {
+    double sum = 0;
+    for (const auto& [from, to] : outline.open_edges) {
+      const Index a = outline.places[from], b = outline.places[to];
+      const Edge edge = make_edge(local.vertices[a], local.vertices[b]);
+      if (!std::binary_search(known_edges_.begin(), known_edges_.end(), edge)) continue;
+      sum += length(local.points[a], local.points[b]).high;
+      --diagonals;
+    }
+    return diagonals == 0 ? std::optional(sum) : std::nullopt;
   }
 
   // Places by local numbers: closed walks along the boundary, in any order, then points that are on none.
@@ -158,7 +181,9 @@ class FaceProof {
   const Context& context_;
   tbb::enumerable_thread_specific<PolygonDuals> polygons_;
   std::vector<Edge> removed_, crossed_;
-  std::vector<Triangle> known_;  // the triangulation, canonical; only if there are composite faces
+  // The triangulation, canonical, and its edges; only if there are composite faces.
+  std::vector<Triangle> known_;
+  std::vector<Edge> known_edges_;
 };
 
 }  // namespace

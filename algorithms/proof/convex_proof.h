@@ -5,6 +5,7 @@
 #include <span>
 
 #include "algorithms/algorithm.h"
+#include "algorithms/proof_trace.h"
 #include "geometry/point.h"
 
 namespace mwt {
@@ -12,8 +13,8 @@ namespace mwt {
 /// Replaces the context's proof, which must be there, by one for points in convex position; `hull` is their
 /// counter-clockwise cycle. The hull is certain, and everything else one polygon with dual values (polygon_duals.h).
 ///
-/// For hulls of more than kMaxNotedEdges diagonals (more than 2,829 points), or if something stopped the solver, there
-/// are no dual values: then the proof shows only that the hull belongs to the triangulation. O(n^3) time, O(n^2) space.
+/// If something stopped the solver, or duals_of_convex_polygon() gives none, there are no dual values: then the proof
+/// shows only that the hull belongs to the triangulation.
 void note_convex_polygon(Points points, std::span<const Index> hull, const std::optional<StopReason>& stop_reason,
                          const Context& context);
 
@@ -21,9 +22,10 @@ void note_convex_polygon(Points points, std::span<const Index> hull, const std::
 /// a plain dynamic program, and the verifier's time as much again.
 inline constexpr std::size_t kMaxNotedEdges = 4'000'000;
 
-/// Whether the diagonals of a convex polygon with so many corners are few enough.
-[[nodiscard]] constexpr bool is_noted_polygon(std::size_t corners) {
-  return corners > 2 && corners * (corners - 3) / 2 <= kMaxNotedEdges;
-}
+/// Dual values for a convex polygon; corners may lie in the middle of its sides. Nothing if it has more than
+/// kMaxNotedEdges diagonals (more than 2,829 corners), if they need more memory than the context allows or the system
+/// has, or if the deadline passes. O(n^3) time, O(n^2) space.
+[[nodiscard]] std::optional<DualRegion> duals_of_convex_polygon(Points points, std::span<const Index> corners,
+                                                                const Context& context);
 
 }  // namespace mwt

@@ -79,7 +79,7 @@ class CoverProof {
     const auto edge = is_done ? std::nullopt : program_->fractional_edge();
     const auto place = edge ? place_of_.find(*edge) : place_of_.end();
     if (place == place_of_.end()) return round_to_leaf();
-    region_.tree.emplace_back().edge = place->second;
+    add_branch(region_, place->second);
     for (const EdgeDecision decision : {EdgeDecision::in, EdgeDecision::out}) {
       program_->decide(*edge, decision);
       explore();

@@ -1,4 +1,4 @@
-// Leaves of the trees of dual values.
+// Nodes of the trees of dual values.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,13 @@
 #include "algorithms/proof_trace.h"
 
 namespace mwt {
+
+/// Appends a branch on an open edge to the tree of a region.
+inline void add_branch(DualRegion& region, std::uint32_t open_edge) {
+  DualNode& branch = region.tree.emplace_back();
+  branch.kind = DualNode::Kind::branch;
+  branch.edge = open_edge;
+}
 
 /// Appends a leaf to the tree of a region whose outline (places, walks, open edges) is given. `dual_of(from, to)` is
 /// the dual value of the side on the left of the edge between two of the region's points.

@@ -36,15 +36,17 @@ std::vector<std::array<std::uint32_t, 2>> diagonals_of_convex_polygon(Points poi
   return diagonals;
 }
 
-DualRegion PolygonDuals::solve(Points points, std::span<const Index> corners,
-                               std::span<const std::array<std::uint32_t, 2>> diagonals,
-                               std::optional<int> unit_exponent) {
+std::optional<DualRegion> PolygonDuals::solve(Points points, std::span<const Index> corners,
+                                              std::span<const std::array<std::uint32_t, 2>> diagonals,
+                                              const Deadline& deadline, std::optional<int> unit_exponent) {
   diagonals_ = diagonals;
   measure(points, corners);
   lay_out_cells(corners.size());
   DualRegion region;
   int exponent = unit_exponent.value_or(0);
-  const std::int64_t optimum = unit_exponent ? run(exponent) : run_in_good_unit(exponent);
+  const auto result = unit_exponent ? run(exponent, deadline) : run_in_good_unit(exponent, deadline);
+  if (!result) return {};
+  const std::int64_t optimum = *result;
   region.unit_exponent = exponent;
   region.places.assign(corners.begin(), corners.end());
   region.walk_sizes = {static_cast<std::uint32_t>(corners.size())};
@@ -86,35 +88,45 @@ void PolygonDuals::lay_out_cells(std::size_t size) {
   dual_.resize(diagonals_.size());
 }
 
-// Sets the exponent; returns the optimum in units, or kNever.
-std::int64_t PolygonDuals::run_in_good_unit(int& exponent) {
+// Sets the exponent; returns the optimum in units, or kNever. Nothing if the deadline passes.
+std::optional<std::int64_t> PolygonDuals::run_in_good_unit(int& exponent, const Deadline& deadline) {
   const double longest = diagonals_.empty() ? 1 : longest_;
   const int min_exponent = std::ilogb(longest) - kMaxBits;
   const double least = std::min(static_cast<double>(points_.size()) * kMinUnitsPerDiagonal, 0x1p56);
   exponent = std::ilogb(longest) - kUsualBits;
-  std::int64_t optimum = run(exponent);
-  for (int tries = 0; tries < 4; ++tries) {
-    const bool is_too_coarse = static_cast<double>(optimum) < least && exponent > min_exponent;
-    if (optimum == kNever) {
+  std::optional<std::int64_t> optimum = run(exponent, deadline);
+  for (int tries = 0; tries < 4 && optimum; ++tries) {
+    const bool is_too_coarse = static_cast<double>(*optimum) < least && exponent > min_exponent;
+    if (*optimum == kNever) {
       exponent += 6;
     } else if (is_too_coarse) {
-      exponent = std::max(min_exponent, exponent - 1 - std::ilogb(least / std::max(1.0, static_cast<double>(optimum))));
+      exponent =
+          std::max(min_exponent, exponent - 1 - std::ilogb(least / std::max(1.0, static_cast<double>(*optimum))));
     } else {
       break;
     }
-    optimum = run(exponent);
+    optimum = run(exponent, deadline);
   }
   return optimum;
 }
 
-std::int64_t PolygonDuals::run(int unit_exponent) {
+std::optional<std::int64_t> PolygonDuals::run(int unit_exponent, const Deadline& deadline) {
   for (std::size_t i = 0; i < half_.size(); ++i) {
     half_[i] = std::max<std::int64_t>(0, half_length(lengths_[i], unit_exponent));
   }
   row_value_.assign(points_.size(), kNever);
   backward_end_.assign(backward_first_.begin(), backward_first_.end() - 1);
   const auto last = static_cast<Position>(points_.size() - 1);
-  for (Position from = last; from-- > 0;) run_row(from);
+  constexpr std::size_t kCellsPerLook = 1024;
+  std::size_t cells = 0;
+  for (Position from = last; from-- > 0;) {
+    cells += first_[from + std::size_t{1}] - first_[from];
+    if (cells >= kCellsPerLook) {
+      if (has_passed(deadline)) return {};
+      cells = 0;
+    }
+    run_row(from);
+  }
   for (std::size_t cell = first_[0]; cell < first_[1]; ++cell)
     row_value_[diagonals_[cell][1]] = dual_[cell] + half_[cell];
   row_value_[1] = 0;

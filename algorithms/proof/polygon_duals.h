@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "algorithms/deadline.h"
 #include "algorithms/proof_trace.h"
 #include "geometry/numbers/double_double.h"
 #include "geometry/point.h"
@@ -23,6 +24,11 @@ class PolygonDuals {
   /// No polygon with an optimum costs so many units; sums of three fit easily.
   static constexpr std::int64_t kNever = std::int64_t{1} << 58;
 
+  /// What solve() takes, its result included.
+  [[nodiscard]] static constexpr std::uint64_t bytes_for(std::size_t diagonals) {
+    return std::uint64_t{80} * diagonals;
+  }
+
   /// The region of the weakly simple polygon `corners`, which lies to its left, and of its `diagonals`, by positions in
   /// `corners`, first < second, ascending. Its dual values prove the length of the lightest triangulation by these
   /// diagonals, less than 1e-12 of it lost to rounding; nothing (0) if there is none.
@@ -34,10 +40,11 @@ class PolygonDuals {
   /// With a unit given, that is taken, and what costs kNever units or more, or has no triangulation, is proved to cost
   /// at least kNever.
   ///
-  /// Time as the program itself: the sum over the diagonals of the diagonals at one of their ends.
-  [[nodiscard]] DualRegion solve(Points points, std::span<const Index> corners,
-                                 std::span<const std::array<std::uint32_t, 2>> diagonals,
-                                 std::optional<int> unit_exponent = {});
+  /// Nothing if the deadline passes. Time as the program itself: the sum over the diagonals of the diagonals at one of
+  /// their ends.
+  [[nodiscard]] std::optional<DualRegion> solve(Points points, std::span<const Index> corners,
+                                                std::span<const std::array<std::uint32_t, 2>> diagonals,
+                                                const Deadline& deadline, std::optional<int> unit_exponent = {});
 
  private:
   using Position = std::uint32_t;
@@ -48,10 +55,10 @@ class PolygonDuals {
 
   void measure(Points points, std::span<const Index> corners);
   void lay_out_cells(std::size_t size);
-  std::int64_t run(int unit_exponent);
+  std::optional<std::int64_t> run(int unit_exponent, const Deadline& deadline);
   void run_row(Position from);
   [[nodiscard]] std::int64_t min_sum(Position from, Position to, std::size_t first_cell, std::size_t cell) const;
-  std::int64_t run_in_good_unit(int& exponent);
+  std::optional<std::int64_t> run_in_good_unit(int& exponent, const Deadline& deadline);
 
   std::span<const std::array<Position, 2>> diagonals_;
   std::vector<Point> points_;       // of the corners

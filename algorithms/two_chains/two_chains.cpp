@@ -9,7 +9,6 @@
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
 #include "algorithms/proof/convex_proof.h"
-#include "algorithms/proof/polygon_duals.h"
 #include "algorithms/proof_trace.h"
 #include "algorithms/two_chains/corridor_duals.h"
 #include "geometry/convex_hull.h"
@@ -86,6 +85,9 @@ std::uint64_t bytes_for_corridor(const ChainPair& pair) {
   return std::uint64_t{pair.first.size()} * pair.second.size() / 8 + sizeof(DoubleDouble) * pair.second.size();
 }
 
+// Of the corridor's dual values.
+constexpr std::uint64_t kBytesPerNotedEdge = 32;
+
 // A chain of two points closes none, nor does one along a side of the hull.
 bool closes_polygon(Points points, const std::vector<Index>& chain) {
   return chain.size() > 2 && orientation(points[chain[0]], points[chain[1]], points[chain.back()]) != 0;
@@ -116,14 +118,15 @@ class TwoChainsProof {
     trace_.edges.push_back(std::move(uncrossed));
   }
 
-  // Those parts that are not too large.
-  void add_regions() {
+  // Those parts for which there are time and memory.
+  void add_regions(const Context& context) {
     const Chains chains = chains_of(pair_);
     for (const std::vector<Index>* chain : {&pair_.first, &pair_.second}) {
-      if (closes_polygon(points_, *chain) && is_noted_polygon(chain->size()))
-        trace_.regions.push_back(PolygonDuals().solve(points_, *chain, diagonals_of_convex_polygon(points_, *chain)));
+      if (!closes_polygon(points_, *chain)) continue;
+      if (auto region = duals_of_convex_polygon(points_, *chain, context)) trace_.regions.push_back(*std::move(region));
     }
-    if (chains.p.size() * chains.q.size() <= kMaxNotedEdges)
+    const std::size_t across = chains.p.size() * chains.q.size();
+    if (across <= kMaxNotedEdges && context.fits(kBytesPerNotedEdge * across) && !context.deadline_passed())
       trace_.regions.push_back(corridor_duals(points_, chains.p, chains.q));
   }
 
@@ -187,7 +190,7 @@ class TwoChainsSolver {
     if (context_.proof == nullptr) return;
     const ScopedPhase phase(context_, "proof");
     TwoChainsProof proof(points_, pair_);
-    if (!solution_.stop_reason) proof.add_regions();
+    if (!solution_.stop_reason) proof.add_regions(context_);
     *context_.proof = proof.take();
   }
 

@@ -16,12 +16,12 @@ namespace mwt {
 
 namespace {
 
-constexpr std::string_view kMagic("MWTPROOF\1\0\0\0", 12);  // and the version, little-endian
+constexpr std::string_view kMagic("MWTPROOF\2\0\0\0", 12);  // and the version, little-endian
 constexpr int kCompressionLevel = 3;
 constexpr std::size_t kEdgesPerStep = std::size_t{1} << 16;
 
 enum Step : std::uint8_t { kEnd = 0, kNotMinimal = 1, kCrossing = 2, kUncrossed = 3, kBetaSkeleton = 4, kRegion = 5 };
-enum Node : std::uint8_t { kLeaf = 0, kBranch = 1 };
+enum Node : std::uint8_t { kLeaf = 0, kBranch = 1, kBase = 2, kChanges = 3 };
 
 // Compresses numbers into a file.
 class ProofWriter {
@@ -137,7 +137,39 @@ void write_edges(ProofWriter& out, const EdgeConclusions& conclusions) {
   }
 }
 
-// The tree in preorder. Of edges decided to be in, the dual values of both sides are written.
+Node tag_of(DualNode::Kind kind) {
+  switch (kind) {
+    case DualNode::Kind::leaf: return kLeaf;
+    case DualNode::Kind::branch: return kBranch;
+    case DualNode::Kind::base: return kBase;
+    case DualNode::Kind::changed_leaf: return kChanges;
+  }
+  throw std::logic_error("unknown kind of node in a proof");
+}
+
+// Of edges decided to be in, the dual values of both sides are written. Changes tell which sides and edges they are
+// about: each by how many are left out before it.
+void write_duals(ProofWriter& out, const DualNode& node, const std::vector<bool>& is_in) {
+  const bool is_changed = node.kind == DualNode::Kind::changed_leaf;
+  if (is_changed) out.number(node.side_duals.size());
+  std::uint32_t next = 0;
+  for (std::size_t i = 0; i < node.side_duals.size(); ++i) {
+    if (is_changed) out.number(node.changed_sides[i] - next);
+    if (is_changed) next = node.changed_sides[i] + 1;
+    out.signed_number(node.side_duals[i]);
+  }
+  if (is_changed) out.number(node.edge_duals.size());
+  next = 0;
+  for (std::size_t i = 0; i < node.edge_duals.size(); ++i) {
+    const std::size_t edge = is_changed ? node.changed_edges[i] : i;
+    if (is_changed) out.number(edge - next);
+    next = static_cast<std::uint32_t>(edge + 1);
+    out.signed_number(node.edge_duals[i]);
+    if (is_in[edge]) out.signed_number(node.other_duals[i]);
+  }
+}
+
+// The tree in preorder.
 void write_tree(ProofWriter& out, const DualRegion& region) {
   struct Decision {
     std::uint32_t edge;
@@ -146,18 +178,15 @@ void write_tree(ProofWriter& out, const DualRegion& region) {
   std::vector<Decision> path;
   std::vector<bool> is_in(region.open_edges.size(), false);
   for (const DualNode& node : region.tree) {
-    out.byte(node.edge ? kBranch : kLeaf);
-    if (node.edge) {
-      out.number(*node.edge);
-      path.push_back({*node.edge, true});
-      is_in[*node.edge] = true;
+    out.byte(tag_of(node.kind));
+    if (node.kind == DualNode::Kind::branch) {
+      out.number(node.edge);
+      path.push_back({node.edge, true});
+      is_in[node.edge] = true;
       continue;
     }
-    for (const std::int64_t dual : node.side_duals) out.signed_number(dual);
-    for (std::size_t i = 0; i < node.edge_duals.size(); ++i) {
-      out.signed_number(node.edge_duals[i]);
-      if (is_in[i]) out.signed_number(node.other_duals[i]);
-    }
+    write_duals(out, node, is_in);
+    if (node.kind == DualNode::Kind::base) continue;
     while (!path.empty() && !path.back().is_in) path.pop_back();
     if (path.empty()) continue;
     path.back().is_in = false;

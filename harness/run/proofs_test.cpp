@@ -243,6 +243,27 @@ TEST(Proof, OfPolygonsBeyondTheLimitProvesTheHull) {
   EXPECT_EQ(trace.lower_bound, cycle_length(points, convex_hull(points)).lower);
 }
 
+// The same if there is no time, or no memory, for dual values.
+TEST(Proof, OfPolygonsWithoutTimeOrMemoryProvesTheHull) {
+  const auto points = make_point_set(generate("circle", 500, 1), "circle").points;
+  for (const bool is_late : {true, false}) {
+    Context context;
+    ProofTrace trace;
+    context.proof = &trace;
+    if (is_late) context.deadline = Context::Clock::now();
+    if (!is_late) context.memory_bytes = 1'000'000;
+    note_convex_polygon(points, convex_hull(points), {}, context);
+    EXPECT_TRUE(trace.is_complete);
+    EXPECT_TRUE(trace.regions.empty());
+    EXPECT_EQ(trace.lower_bound, cycle_length(points, convex_hull(points)).lower);
+  }
+}
+
+// One hole, and every other spoke may be the one that cuts the wheel open.
+TEST(Proof, OfAWheelIsVerified) {
+  Prover().prove_optimum("exact", make_point_set(generate("wheel", 300, 1), "wheel").points);
+}
+
 // Where the beta-skeleton divides what the LMT-skeleton leaves in pieces.
 TEST(Proof, OfDivisionByTheBetaSkeletonIsVerified) {
   const Prover prover;

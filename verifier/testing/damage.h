@@ -95,7 +95,7 @@ inline std::int64_t max_dual(const RegionStep& region) {
 inline TreeNode* some_leaf(RegionStep& region, Dice& dice) {
   for (int tries = 0; tries < 100; ++tries) {
     TreeNode& node = dice.pick(region.tree);
-    if (node.is_leaf) return &node;
+    if (node.is_leaf && !node.side_duals.empty()) return &node;
   }
   return nullptr;
 }

@@ -27,12 +27,18 @@ struct EdgeStep {
   std::vector<EdgeEnds> crossed;  ///< tag 2: the certain edge that each crosses
 };
 
-/// A node of a tree of decisions, in preorder: a leaf, or an edge that is in first, then out.
+/// A node of a tree of decisions, in preorder: a leaf, or an edge that is in first, then out, or a base, which has dual
+/// values and is followed by a node.
 struct TreeNode {
-  bool is_leaf = true;
+  bool is_leaf = true;                                ///< or a base: it has dual values
   std::uint64_t edge = 0;                             ///< branch: its position among the open edges
-  std::vector<std::int64_t> side_duals;               ///< leaf
-  std::vector<std::vector<std::int64_t>> edge_duals;  ///< leaf: one or, for edges that are in, two
+  std::vector<std::int64_t> side_duals;               ///< leaf, base
+  std::vector<std::vector<std::int64_t>> edge_duals;  ///< leaf, base: one or, for edges that are in, two
+  bool is_base = false;
+  bool is_changed = false;  ///< a leaf that changes a base's dual values of these sides and edges:
+  std::vector<std::uint64_t> changed_sides = {}, changed_edges = {};
+
+  [[nodiscard]] std::uint8_t tag() const { return !is_leaf ? 1 : is_base ? 2 : is_changed ? 3 : 0; }
 };
 
 struct RegionStep {
@@ -125,11 +131,24 @@ inline void encode_region(Encoder& out, const RegionStep& region) {
   }
   for (const auto& [a, b] : region.open_edges) out.number(b - a - 1);
   for (const TreeNode& node : region.tree) {
-    out.byte(node.is_leaf ? 0 : 1);
+    out.byte(node.tag());
     if (!node.is_leaf) out.number(node.edge);
-    for (const std::int64_t dual : node.side_duals) out.signed_number(dual);
-    for (const auto& duals : node.edge_duals) {
-      for (const std::int64_t dual : duals) out.signed_number(dual);
+    std::uint64_t next = 0;
+    const auto number_of = [&](const std::vector<std::uint64_t>& changed, std::size_t i) {
+      if (!node.is_changed) return;
+      out.number(changed[i] - next);
+      next = changed[i] + 1;
+    };
+    if (node.is_changed) out.number(node.side_duals.size());
+    for (std::size_t i = 0; i < node.side_duals.size(); ++i) {
+      number_of(node.changed_sides, i);
+      out.signed_number(node.side_duals[i]);
+    }
+    next = 0;
+    if (node.is_changed) out.number(node.edge_duals.size());
+    for (std::size_t i = 0; i < node.edge_duals.size(); ++i) {
+      number_of(node.changed_edges, i);
+      for (const std::int64_t dual : node.edge_duals[i]) out.signed_number(dual);
     }
   }
 }
@@ -244,14 +263,25 @@ class Decoder {
 
   void read_node(RegionStep& region, std::size_t sides, std::vector<bool> is_in) {
     TreeNode node;
-    node.is_leaf = byte() == 0;
+    const std::uint8_t tag = byte();
+    node.is_leaf = tag != 1;
+    node.is_base = tag == 2;
+    node.is_changed = tag == 3;
     if (node.is_leaf) {
-      for (std::size_t i = 0; i < sides; ++i) node.side_duals.push_back(signed_number());
-      for (std::size_t i = 0; i < is_in.size(); ++i) {
+      const std::uint64_t side_count = node.is_changed ? number() : sides;
+      for (std::uint64_t i = 0, next = 0; i < side_count; ++i) {
+        if (node.is_changed) node.changed_sides.push_back(next += number());
+        ++next;
+        node.side_duals.push_back(signed_number());
+      }
+      const std::uint64_t edge_count = node.is_changed ? number() : is_in.size();
+      for (std::uint64_t i = 0, next = 0; i < edge_count; ++i, ++next) {
+        if (node.is_changed) node.changed_edges.push_back(next += number());
         node.edge_duals.push_back({signed_number()});
-        if (is_in[i]) node.edge_duals.back().push_back(signed_number());
+        if (is_in.at(next)) node.edge_duals.back().push_back(signed_number());
       }
       region.tree.push_back(node);
+      if (node.is_base) read_node(region, sides, is_in);
       return;
     }
     node.edge = number();
@@ -293,7 +323,7 @@ inline std::vector<std::uint8_t> compressed(const std::vector<std::uint8_t>& pla
   return result;
 }
 
-inline std::vector<std::uint8_t> file_of(const std::vector<std::uint8_t>& plain, std::uint32_t version = 1) {
+inline std::vector<std::uint8_t> file_of(const std::vector<std::uint8_t>& plain, std::uint32_t version = 2) {
   std::vector<std::uint8_t> file{'M', 'W', 'T', 'P', 'R', 'O', 'O', 'F'};
   for (int i = 0; i < 4; ++i) file.push_back(static_cast<std::uint8_t>(version >> (8 * i)));
   const std::vector<std::uint8_t> body = compressed(plain);

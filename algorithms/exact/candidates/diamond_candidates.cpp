@@ -1,12 +1,9 @@
 #include "algorithms/exact/candidates/diamond_candidates.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <iterator>
@@ -67,27 +64,46 @@ bool has_open_direction(const DeadDistances& dead) { return dead.farthest() >= k
 
 }  // namespace
 
+std::uint32_t PointBlocks::block_of(Index p) const {
+  // The inverse of KdOrder::first_of at the blocks' level, up to rounding.
+  auto block = static_cast<std::uint32_t>(std::uint64_t{p} * count_ / order_.points.size());
+  while (order_.last_of(node_of(block)) <= p) ++block;
+  return block;
+}
+
 DiamondTest::DiamondTest(const KdOrder& order)
     : order_(order),
+      blocks_(order),
       scale_(distance_scale(order)),
       nearest_square_(order.points.size()),
-      dead_(order.points.size()),
+      dead_(blocks_.count()),
       dead_of_node_(2 * std::size_t{order.leaf_count}) {
-  tbb::enumerable_thread_specific<NearPointsFinder> finders([this] { return NearPointsFinder(order_); });
-  tbb::parallel_for(order_.leaf_count, 2 * order_.leaf_count, [&](std::uint32_t leaf) {
-    NearPointsFinder& finder = finders.local();
+  tbb::parallel_for(std::uint32_t{0}, blocks_.count(), [&](std::uint32_t block) { compute_dead_distances_of(block); });
+  for (std::uint32_t node = order_.leaf_count - 1; node >= 1; --node) {
+    set_maximum(node, std::span<const DeadDistances>(dead_of_node_).subspan(2 * std::size_t{node}, 2));
+  }
+}
+
+void DiamondTest::compute_dead_distances_of(std::uint32_t block) {
+  const Index first = order_.first_of(blocks_.node_of(block));
+  dead_[block].resize(order_.last_of(blocks_.node_of(block)) - first);
+  NearPointsFinder finder(order_);
+  for (std::uint32_t leaf = blocks_.first_leaf_of(block); leaf < blocks_.last_leaf_of(block); ++leaf) {
     find_nearest(leaf);
-    const Index first = order_.first_of(leaf);
-    const auto dead = std::span(dead_).subspan(first, order_.last_of(leaf) - first);
+    const std::size_t size = order_.last_of(leaf) - order_.first_of(leaf);
+    const auto dead = std::span(dead_[block]).subspan(order_.first_of(leaf) - first, size);
     compute_dead_distances(finder.find(leaf), dead);
     if (std::any_of(dead.begin(), dead.end(), has_open_direction)) {
       compute_dead_distances(finder.add_samples(leaf), dead);
     }
     set_maximum(leaf, dead);
-  });
-  for (std::uint32_t node = order_.leaf_count - 1; node >= 1; --node) {
-    set_maximum(node, std::span<const DeadDistances>(dead_of_node_).subspan(2 * std::size_t{node}, 2));
   }
+}
+
+std::span<const DeadDistances> DiamondTest::dead_of_leaf(std::uint32_t leaf) const {
+  const std::uint32_t block = blocks_.block_of_leaf(leaf);
+  const Index first = order_.first_of(leaf);
+  return std::span(dead_[block]).subspan(first - order_.first_of(blocks_.node_of(block)), order_.last_of(leaf) - first);
 }
 
 void DiamondTest::find_nearest(std::uint32_t leaf) {
@@ -118,8 +134,12 @@ void DiamondTest::set_maximum(std::uint32_t node, std::span<const DeadDistances>
 
 std::vector<Index> DiamondTest::possible_hull_points() const {
   std::vector<Index> found;
-  for (Index p = 0; p < dead_.size(); ++p) {
-    if (has_open_direction(dead_[p])) found.push_back(p);
+  for (std::uint32_t leaf = order_.leaf_count; leaf < 2 * order_.leaf_count; ++leaf) {
+    if (!has_open_direction(dead_of_node_[leaf])) continue;
+    const auto dead = dead_of_leaf(leaf);
+    for (Index i = 0; i < dead.size(); ++i) {
+      if (has_open_direction(dead[i])) found.push_back(order_.first_of(leaf) + i);
+    }
   }
   return found;
 }
@@ -145,15 +165,16 @@ bool DiamondTest::may_connect(std::uint32_t leaf, std::uint32_t node) const {
   return false;
 }
 
-// The leaves from `leaf` on that may have an edge to it, in tree order.
-void DiamondTest::collect_partners(std::uint32_t leaf, std::vector<std::uint32_t>& partners) const {
+// The leaves below the root with an edge to `leaf`, perhaps, of nodes that may be visited, in tree order.
+template <class MayVisit>
+void DiamondTest::collect_partners(std::uint32_t leaf, std::uint32_t root, const MayVisit& may_visit,
+                                   Partners& partners) const {
   partners.clear();
-  const Index first = order_.first_of(leaf);
-  std::array<std::uint32_t, 64> stack{1};  // a path in the tree and its siblings
+  std::array<std::uint32_t, 64> stack{root};  // a path in the tree and its siblings
   std::size_t height = 1;
   while (height > 0) {
     const std::uint32_t node = stack[--height];
-    if (order_.last_of(node) <= first || !may_connect(leaf, node)) continue;
+    if (!may_visit(node) || !may_connect(leaf, node)) continue;
     if (order_.is_leaf(node)) {
       partners.push_back(node);
     } else {
@@ -172,52 +193,63 @@ bool DiamondTest::is_long(const CandidatePair& pair, float reach) const {
   return square > enough * enough * nearest;
 }
 
-template <class Check>  // check(edges found since the last one) throws if there is no time or room for more
-void DiamondTest::search_block(CandidateBlocks& blocks, std::uint32_t block, const Check& check) const {
-  const std::uint32_t block_node = blocks.first_block_node + block;
-  const std::uint32_t leaves = order_.leaf_count / blocks.first_block_node;
-  const std::uint32_t first_leaf = block_node * leaves;
-  const Index block_end = order_.last_of(block_node);
+// collect(leaf, partners) finds the leaves that edges may lead to.
+template <class Collect>
+void DiamondTest::search_block(std::uint32_t block, const Collect& collect, const Context& context,
+                               std::vector<CandidatePair>& candidates) {
   NearPointsFinder finder(order_);
   LongEdgeTest long_edges(order_);
-  std::vector<std::uint32_t> partners;
+  Partners partners;
   std::array<CandidatePair, KdOrder::kMaxLeaf * KdOrder::kMaxLeaf> found;
-  std::vector<CandidatePair>& inner = blocks.inner[block];
-  std::vector<CandidatePair>& outer = blocks.outer[block];
-  for (std::uint32_t leaf = first_leaf; leaf < first_leaf + leaves; ++leaf) {
-    collect_partners(leaf, partners);
-    const std::size_t before = inner.size() + outer.size();
-    const CandidateSearch search{order_.points, dead_, finder.find(leaf), order_.first_of(leaf)};
+  for (std::uint32_t leaf = blocks_.first_leaf_of(block); leaf < blocks_.last_leaf_of(block); ++leaf) {
+    collect(leaf, partners);
+    if (partners.empty()) continue;
+    const std::size_t before = candidates.size();
+    const CandidateSearch search{order_.points, finder.find(leaf), order_.first_of(leaf), dead_of_leaf(leaf)};
     const float reach = search.near.distance[static_cast<std::size_t>(search.near.leaves - 1)];
     for (const std::uint32_t partner : partners) {
-      const Index first = order_.first_of(partner);
-      const std::size_t count = append_candidates(search, first, order_.last_of(partner), found.data());
-      std::vector<CandidatePair>& target = first < block_end ? inner : outer;
+      const std::size_t count =
+          append_candidates(search, {order_.first_of(partner), dead_of_leaf(partner)}, found.data());
       long_edges.start(leaf, partner);
       std::copy_if(
-          found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), std::back_inserter(target),
+          found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), std::back_inserter(candidates),
           [&](const CandidatePair& pair) { return !(is_long(pair, reach) && long_edges.is_excluded(pair.p, pair.q)); });
     }
-    check(inner.size() + outer.size() - before);
+    add_to_count(candidates.size() - before, context);
   }
 }
 
-CandidateBlocks DiamondTest::find_candidates(const Context& context) const {
-  CandidateBlocks blocks;
-  blocks.first_block_node = std::max(order_.leaf_count / CandidateBlocks::kLeavesPerBlock, 1U);
-  blocks.inner.resize(blocks.first_block_node);
-  blocks.outer.resize(blocks.first_block_node);
+void DiamondTest::add_to_count(std::size_t found, const Context& context) {
+  if (context.deadline_passed())
+    throw SearchStopped(StopReason::deadline, "the deadline passed during the diamond test");
   const std::size_t limit = max_candidates(order_.points.size());
-  std::atomic<std::size_t> total = 0;
-  tbb::parallel_for(std::uint32_t{0}, blocks.first_block_node, [&](std::uint32_t block) {
-    search_block(blocks, block, [&](std::size_t found) {
-      if (context.deadline_passed())
-        throw SearchStopped(StopReason::deadline, "the deadline passed during the diamond test");
-      if (total += found; total > limit)
-        throw SearchStopped(StopReason::size, "more than " + std::to_string(limit) + " edges pass the diamond test");
-    });
+  if (count_ += found; count_ > limit)
+    throw SearchStopped(StopReason::size, "more than " + std::to_string(limit) + " edges pass the diamond test");
+}
+
+std::vector<std::vector<CandidatePair>> DiamondTest::find_outer(const Context& context) {
+  std::vector<std::vector<CandidatePair>> outer(blocks_.count());
+  tbb::parallel_for(std::uint32_t{0}, blocks_.count(), [&](std::uint32_t block) {
+    const Index end = order_.last_of(blocks_.node_of(block));
+    const auto reaches_beyond = [&](std::uint32_t node) { return order_.last_of(node) > end; };
+    search_block(
+        block, [&](std::uint32_t leaf, Partners& partners) { collect_partners(leaf, 1, reaches_beyond, partners); },
+        context, outer[block]);
   });
-  return blocks;
+  return outer;
+}
+
+void DiamondTest::take_inner(std::uint32_t block, const Context& context, std::vector<CandidatePair>& found) {
+  found.clear();
+  search_block(
+      block,
+      [&](std::uint32_t leaf, Partners& partners) {
+        const Index first = order_.first_of(leaf);
+        collect_partners(
+            leaf, blocks_.node_of(block), [&](std::uint32_t node) { return order_.last_of(node) > first; }, partners);
+      },
+      context, found);
+  dead_[block] = std::vector<DeadDistances>();  // {} would keep the memory
 }
 
 }  // namespace mwt

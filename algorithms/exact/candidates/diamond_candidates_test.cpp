@@ -23,6 +23,7 @@ using Exact =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<4400, boost::multiprecision::digit_base_2>>;
 
 using stage_testing::diamond_candidates;
+using stage_testing::DiamondCandidates;
 using stage_testing::edges_in;
 using stage_testing::instances_of_all_families;
 using stage_testing::reordered_edges;
@@ -122,7 +123,7 @@ TEST(DiamondCandidates, ContainTheHull) {
     std::sort(possible.begin(), possible.end());
     std::sort(sorted_hull.begin(), sorted_hull.end());
     EXPECT_TRUE(std::includes(possible.begin(), possible.end(), sorted_hull.begin(), sorted_hull.end()));
-    const std::set<Edge> candidates = edges_in(test.find_candidates(Context()));
+    const std::set<Edge> candidates = edges_in(diamond_candidates(order));
     for (std::size_t i = 0; i < hull.size(); ++i) {
       EXPECT_TRUE(candidates.contains(make_edge(hull[i], hull[(i + 1) % hull.size()])));
     }
@@ -177,24 +178,26 @@ TEST(DiamondCandidates, AreFewOnNearlyCollinearPoints) {
 
 TEST(DiamondCandidates, AreFiledByBlocks) {
   const KdOrder order = make_kd_order(generate("uniform", 20'000, 2));
-  const CandidateBlocks blocks = diamond_candidates(order);
-  ASSERT_GT(blocks.block_count(), 4U);
-  for (std::uint32_t block = 0; block < blocks.block_count(); ++block) {
-    const Index first = order.first_of(blocks.first_block_node + block);
-    const Index last = order.last_of(blocks.first_block_node + block);
-    for (const auto& [p, q] : blocks.inner[block]) EXPECT_TRUE(first <= p && p < q && q < last);
-    for (const auto& [p, q] : blocks.outer[block]) EXPECT_TRUE(first <= p && p < last && last <= q);
+  const DiamondCandidates candidates = diamond_candidates(order);
+  const PointBlocks blocks(order);
+  ASSERT_GT(blocks.count(), 4U);
+  for (std::uint32_t block = 0; block < blocks.count(); ++block) {
+    const Index first = order.first_of(blocks.node_of(block)), last = order.last_of(blocks.node_of(block));
+    EXPECT_EQ(blocks.block_of(first), block);
+    EXPECT_EQ(blocks.block_of(last - 1), block);
+    for (const auto& [p, q] : candidates.inner[block]) EXPECT_TRUE(first <= p && p < q && q < last);
+    for (const auto& [p, q] : candidates.outer[block]) EXPECT_TRUE(first <= p && p < last && last <= q);
   }
 }
 
 TEST(DiamondCandidates, DoNotDependOnThreads) {
   const KdOrder order = make_kd_order(generate("clustered", 20'000, 3));
-  const CandidateBlocks one = diamond_candidates(order);
+  const DiamondCandidates one = diamond_candidates(order);
   tbb::task_arena arena(3);
-  const CandidateBlocks three = arena.execute([&] { return diamond_candidates(order); });
+  const DiamondCandidates three = arena.execute([&] { return diamond_candidates(order); });
   const auto is_same = [](const CandidatePair& a, const CandidatePair& b) { return a.p == b.p && a.q == b.q; };
-  for (std::uint32_t block = 0; block < one.block_count(); ++block) {
-    for (const auto lists : {&CandidateBlocks::inner, &CandidateBlocks::outer}) {
+  for (std::uint32_t block = 0; block < one.inner.size(); ++block) {
+    for (const auto lists : {&DiamondCandidates::inner, &DiamondCandidates::outer}) {
       const auto& a = (one.*lists)[block];
       const auto& b = (three.*lists)[block];
       EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same)) << block;
@@ -203,10 +206,14 @@ TEST(DiamondCandidates, DoNotDependOnThreads) {
 }
 
 TEST(DiamondCandidates, StopAtTheDeadline) {
-  const KdOrder order = make_kd_order(generate("uniform", 1000, 1));
+  const KdOrder order = make_kd_order(generate("uniform", 5000, 1));
   Context context;
   context.deadline = Context::Clock::now() - std::chrono::seconds(1);
-  EXPECT_THROW((void)DiamondTest(order).find_candidates(context), SearchStopped);
+  DiamondTest test(order);
+  ASSERT_GT(test.blocks().count(), 1U);
+  std::vector<CandidatePair> found;
+  EXPECT_THROW((void)test.find_outer(context), SearchStopped);
+  EXPECT_THROW(test.take_inner(0, context, found), SearchStopped);
 }
 
 }  // namespace

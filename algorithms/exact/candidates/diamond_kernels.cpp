@@ -235,56 +235,57 @@ struct Partners {
   alignas(64) float farthest[KdOrder::kMaxLeaf];
   int count;
 
-  Partners(const CandidateSearch& search, Index first, Index last) : count(static_cast<int>(last - first)) {
+  Partners(Points points, const PartnerLeaf& leaf) : count(static_cast<int>(leaf.dead.size())) {
     std::fill(std::begin(x), std::end(x), std::numeric_limits<double>::quiet_NaN());
     std::fill(std::begin(y), std::end(y), std::numeric_limits<double>::quiet_NaN());
     std::fill(std::begin(farthest), std::end(farthest), 0.0F);
-    for (Index i = 0; i < last - first; ++i) {
-      x[i] = search.points[first + i].x;
-      y[i] = search.points[first + i].y;
-      farthest[i] = distance_of(search.dead[first + i].farthest());
+    for (Index i = 0; i < leaf.dead.size(); ++i) {
+      x[i] = points[leaf.first + i].x;
+      y[i] = points[leaf.first + i].y;
+      farthest[i] = distance_of(leaf.dead[i].farthest());
     }
   }
 };
 
 // Edges that no direction excludes. Codes have 8 significant bits: the square of one is exact (or infinite).
-HWY_INLINE hn::Mask<Float> is_within_farthest(const CandidateSearch& search, Index p, const float* partners,
-                                              VectorF square) {
-  const auto here = hn::Set(kFloat, distance_of(search.dead[p].farthest()));
+HWY_INLINE hn::Mask<Float> is_within_farthest(const DeadDistances& of_p, const float* partners, VectorF square) {
+  const auto here = hn::Set(kFloat, distance_of(of_p.farthest()));
   const auto farthest = hn::Min(here, hn::Load(kFloat, partners));
   return hn::Or(hn::Lt(square, hn::Mul(farthest, farthest)), hn::Le(square, hn::Set(kFloat, kMinSquare)));
 }
 
-// Edges from p to the partners from `place` on, of which partner 0 is point `first`.
-HWY_INLINE hn::Mask<Float> is_within_dead_distances(const CandidateSearch& search, Index p, Index first, int place,
-                                                    int partners, VectorF dx, VectorF dy, VectorF square) {
+// Edges from p to the partners from `place` on.
+HWY_INLINE hn::Mask<Float> is_within_dead_distances(const DeadDistances& of_p,
+                                                    std::span<const DeadDistances> of_partners, int place, VectorF dx,
+                                                    VectorF dy, VectorF square) {
   // NaN lanes convert to any integer: clamp.
   const auto bin =
       hn::Min(hn::Max(wrapped_bin(bin_position(dx, dy)), hn::Zero(kInt)), hn::Set(kInt, kDirectionBins - 1));
   const auto half = hn::Set(kInt, kDirectionBins / 2);
   const auto opposite = hn::IfThenElse(hn::Lt(bin, half), hn::Add(bin, half), hn::Sub(bin, half));
-  const auto row = hn::Min(hn::Iota(kInt, place), hn::Set(kInt, partners - 1));
-  const auto here = dead_distances(search.dead[p].code.data(), bin);
-  const auto there = dead_distances(search.dead[first].code.data(), hn::Add(hn::ShiftLeft<6>(row), opposite));
+  const auto row = hn::Min(hn::Iota(kInt, place), hn::Set(kInt, static_cast<int>(of_partners.size()) - 1));
+  const auto here = dead_distances(of_p.code.data(), bin);
+  const auto there = dead_distances(of_partners[0].code.data(), hn::Add(hn::ShiftLeft<6>(row), opposite));
   const auto is_close = hn::Lt(hn::Sqrt(square), hn::Min(here, there));
   return hn::Or(is_close, hn::Le(square, hn::Set(kFloat, kMinSquare)));
 }
 
-std::size_t AppendCandidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
+std::size_t AppendCandidates(const CandidateSearch& search, const PartnerLeaf& leaf, CandidatePair* out) {
   const NearPoints& near = search.near;
-  const Partners partners(search, first, last);
+  const Partners partners(search.points, leaf);
   const int lanes = static_cast<int>(hn::Lanes(kFloat));
   CandidatePair* const begin = out;
   View view;
   for (int place = 0; place < near.leaf_size; ++place) {
     const Index p = search.leaf_first + static_cast<Index>(place);
+    const DeadDistances& dead = search.dead[static_cast<std::size_t>(place)];
     bool has_view = false;
     for (int i = 0; i < partners.count; i += lanes) {
       const auto dx = scaled_difference(partners.x + i, search.points[p].x, near.scale);
       const auto dy = scaled_difference(partners.y + i, search.points[p].y, near.scale);
       const auto square = hn::MulAdd(dx, dx, hn::Mul(dy, dy));
-      if (hn::AllFalse(kFloat, is_within_farthest(search, p, partners.farthest + i, square))) continue;
-      const auto alive = is_within_dead_distances(search, p, first, i, partners.count, dx, dy, square);
+      if (hn::AllFalse(kFloat, is_within_farthest(dead, partners.farthest + i, square))) continue;
+      const auto alive = is_within_dead_distances(dead, leaf.dead, i, dx, dy, square);
       if (hn::AllFalse(kFloat, alive)) continue;
       if (!std::exchange(has_view, true)) look_around(near, place, view);
       alignas(64) float dx_of[16], dy_of[16], square_of[16];
@@ -293,8 +294,8 @@ std::size_t AppendCandidates(const CandidateSearch& search, Index first, Index l
       hn::Store(square, kFloat, square_of);
       for (std::uint64_t bits = bits_of(alive); bits != 0; bits &= bits - 1) {
         const int lane = __builtin_ctzll(bits);
-        const Index q = first + static_cast<Index>(i + lane);
-        if (q <= p || q >= last) continue;
+        const Index q = leaf.first + static_cast<Index>(i + lane);
+        if (q <= p || q >= leaf.last()) continue;
         if (!is_excluded(search, view, {dx_of[lane], dy_of[lane], square_of[lane]}, p, q)) *out++ = {p, q};
       }
     }
@@ -306,8 +307,8 @@ void ComputeDeadDistancesPlainly(const NearPoints& near, std::span<DeadDistances
   ScalarDiamondTest<MachineRounding>::compute_dead_distances(near, of_leaf_points);
 }
 
-std::size_t AppendCandidatesPlainly(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
-  return ScalarDiamondTest<MachineRounding>::append_candidates(search, first, last, out);
+std::size_t AppendCandidatesPlainly(const CandidateSearch& search, const PartnerLeaf& partners, CandidatePair* out) {
+  return ScalarDiamondTest<MachineRounding>::append_candidates(search, partners, out);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -326,16 +327,16 @@ void compute_dead_distances(const NearPoints& near, std::span<DeadDistances> of_
   HWY_DYNAMIC_DISPATCH(ComputeDeadDistances)(near, of_leaf_points);
 }
 
-std::size_t append_candidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
-  return HWY_DYNAMIC_DISPATCH(AppendCandidates)(search, first, last, out);
+std::size_t append_candidates(const CandidateSearch& search, const PartnerLeaf& partners, CandidatePair* out) {
+  return HWY_DYNAMIC_DISPATCH(AppendCandidates)(search, partners, out);
 }
 
 void compute_dead_distances_plainly(const NearPoints& near, std::span<DeadDistances> of_leaf_points) {
   HWY_DYNAMIC_DISPATCH(ComputeDeadDistancesPlainly)(near, of_leaf_points);
 }
 
-std::size_t append_candidates_plainly(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
-  return HWY_DYNAMIC_DISPATCH(AppendCandidatesPlainly)(search, first, last, out);
+std::size_t append_candidates_plainly(const CandidateSearch& search, const PartnerLeaf& partners, CandidatePair* out) {
+  return HWY_DYNAMIC_DISPATCH(AppendCandidatesPlainly)(search, partners, out);
 }
 
 }  // namespace mwt

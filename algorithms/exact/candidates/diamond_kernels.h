@@ -64,18 +64,26 @@ void compute_dead_distances(const NearPoints& near, std::span<DeadDistances> of_
 /// What append_candidates reads.
 struct CandidateSearch {
   Points points;
-  std::span<const DeadDistances> dead;
   const NearPoints& near;
-  Index leaf_first;  ///< the leaf's points are leaf_first .. leaf_first + near.leaf_size
+  Index leaf_first;                     ///< the leaf's points are leaf_first .. leaf_first + near.leaf_size
+  std::span<const DeadDistances> dead;  ///< of the leaf's points
 };
 
-/// Writes all pairs (p of the leaf, q in [first, last), p < q) that neither end's dead distances nor the near points
+/// A leaf whose points are the other ends: first .. first + dead.size().
+struct PartnerLeaf {
+  Index first;
+  std::span<const DeadDistances> dead;
+
+  [[nodiscard]] Index last() const { return first + static_cast<Index>(dead.size()); }
+};
+
+/// Writes all pairs (p of the leaf, q of the partner leaf, p < q) that neither end's dead distances nor the near points
 /// exclude by the diamond test, and that no near point occludes (lies on). Returns how many; `out` must have room for
 /// all pairs.
-std::size_t append_candidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out);
+std::size_t append_candidates(const CandidateSearch& search, const PartnerLeaf& partners, CandidatePair* out);
 
 /// For tests: the same by the loops of diamond_scalar.h, with the rounding of the instruction set in use.
 void compute_dead_distances_plainly(const NearPoints& near, std::span<DeadDistances> of_leaf_points);
-std::size_t append_candidates_plainly(const CandidateSearch& search, Index first, Index last, CandidatePair* out);
+std::size_t append_candidates_plainly(const CandidateSearch& search, const PartnerLeaf& partners, CandidatePair* out);
 
 }  // namespace mwt

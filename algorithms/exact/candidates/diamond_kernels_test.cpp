@@ -26,9 +26,9 @@ void expect_same_dead_distances(const NearPoints& near, std::span<DeadDistances>
 using Found = std::vector<std::pair<Index, Index>>;
 
 template <class Append>
-Found found_by(const Append& append, const CandidateSearch& search, Index first, Index last) {
+Found found_by(const Append& append, const CandidateSearch& search, const PartnerLeaf& partners) {
   std::array<CandidatePair, KdOrder::kMaxLeaf * KdOrder::kMaxLeaf> out;
-  const std::size_t count = append(search, first, last, out.data());
+  const std::size_t count = append(search, partners, out.data());
   Found found;
   for (std::size_t i = 0; i < count; ++i) found.emplace_back(out[i].p, out[i].q);
   return found;
@@ -46,11 +46,10 @@ void expect_same_results(Points points) {
     ASSERT_NO_FATAL_FAILURE(expect_same_dead_distances(finder.add_samples(leaf), points_of(leaf)));
   }
   for (std::uint32_t leaf = order.leaf_count; leaf < 2 * order.leaf_count; ++leaf) {
-    const CandidateSearch search{order.points, dead, finder.find(leaf), order.first_of(leaf)};
+    const CandidateSearch search{order.points, finder.find(leaf), order.first_of(leaf), points_of(leaf)};
     for (std::uint32_t partner = leaf; partner < 2 * order.leaf_count; ++partner) {
-      const Index first = order.first_of(partner), last = order.last_of(partner);
-      ASSERT_EQ(found_by(append_candidates, search, first, last),
-                found_by(append_candidates_plainly, search, first, last))
+      const PartnerLeaf partners{order.first_of(partner), points_of(partner)};
+      ASSERT_EQ(found_by(append_candidates, search, partners), found_by(append_candidates_plainly, search, partners))
           << "leaves " << leaf << " and " << partner;
     }
   }

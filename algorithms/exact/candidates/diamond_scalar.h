@@ -99,15 +99,18 @@ class ScalarDiamondTest {
     }
   }
 
-  static std::size_t append_candidates(const CandidateSearch& search, Index first, Index last, CandidatePair* out) {
+  static std::size_t append_candidates(const CandidateSearch& search, const PartnerLeaf& partners, CandidatePair* out) {
     CandidatePair* const begin = out;
     View view;
     for (int place = 0; place < search.near.leaf_size; ++place) {
       const Index p = search.leaf_first + static_cast<Index>(place);
       look_around(search.near, static_cast<std::size_t>(place), view);
-      for (Index q = std::max(first, p + 1); q < last; ++q) {
+      for (Index q = std::max(partners.first, p + 1); q < partners.last(); ++q) {
         const ScaledEdge edge = scaled_edge(search, p, q);
-        if (is_within_dead_distances(search, edge, p, q) && !is_excluded(search, view, edge, p, q)) *out++ = {p, q};
+        const DeadDistances& dead_of_q = partners.dead[q - partners.first];
+        if (is_within_dead_distances(search.dead[static_cast<std::size_t>(place)], dead_of_q, edge) &&
+            !is_excluded(search, view, edge, p, q))
+          *out++ = {p, q};
       }
     }
     return static_cast<std::size_t>(out - begin);
@@ -167,11 +170,11 @@ class ScalarDiamondTest {
   }
 
   // Edges too short for the test count as within.
-  static bool is_within_dead_distances(const CandidateSearch& search, const ScaledEdge& edge, Index p, Index q) {
+  static bool is_within_dead_distances(const DeadDistances& of_p, const DeadDistances& of_q, const ScaledEdge& edge) {
     if (edge.square <= kMinSquare) return true;
     const int bin = bin_of(edge.x, edge.y), opposite = (bin + kDirectionBins / 2) % kDirectionBins;
-    const float here = distance_of(search.dead[p].code[static_cast<std::size_t>(bin)]);
-    const float there = distance_of(search.dead[q].code[static_cast<std::size_t>(opposite)]);
+    const float here = distance_of(of_p.code[static_cast<std::size_t>(bin)]);
+    const float there = distance_of(of_q.code[static_cast<std::size_t>(opposite)]);
     return std::sqrt(edge.square) < std::min(here, there);
   }
 

@@ -1,6 +1,6 @@
 #include "algorithms/exact/candidates/lmt_skeleton.h"
 
-#include <tbb/parallel_for.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -38,26 +38,34 @@ std::vector<CandidatePair> longest_first(Points points, double scale, const std:
 
 class LmtStage {
  public:
-  LmtStage(const KdOrder& order, const HullEdges& hull, CandidateBlocks& blocks, const Context& context,
+  LmtStage(const KdOrder& order, const HullEdges& hull, DiamondTest& test, const Context& context,
            LmtSkeleton& skeleton)
       : order_(order),
         hull_(hull),
-        blocks_(blocks),
+        test_(test),
+        blocks_(test.blocks()),
         context_(context),
         skeleton_(skeleton),
         scale_(distance_scale(order)),
-        incoming_(blocks.block_count()),
-        deleted_(context.proof != nullptr ? 2 * std::size_t{blocks.first_block_node} : 0) {}
+        incoming_(blocks_.count()),
+        deleted_(context.proof != nullptr ? 2 * std::size_t{blocks_.count()} : 0) {}
 
   void run() {
     skeleton_.stars.stars.resize(order_.points.size());
-    skeleton_.stars.arenas.resize(blocks_.block_count());
+    skeleton_.stars.arenas.resize(blocks_.count());
+    outer_ = test_.find_outer(context_);
     file_incoming();
     skeleton_.counters = descend(1).counters;
     note_deletions();
   }
 
  private:
+  // What one block after the other uses: its candidates, and its stars while their edges are examined.
+  struct Workspace {
+    std::vector<CandidatePair> inner;
+    StarArena arena;
+  };
+
   // What a node hands to its parent: the edges that leave it, from smaller ends inside.
   struct NodeResult {
     std::vector<CandidatePair> leaving;
@@ -77,22 +85,14 @@ class LmtStage {
 
   std::vector<Edge>* log_of(std::uint32_t node) { return deleted_.empty() ? nullptr : &deleted_[node]; }
 
-  std::uint32_t block_of(Index p) const {
-    // The inverse of KdOrder::first_of at the blocks' level, up to rounding.
-    const std::uint64_t n = order_.points.size();
-    auto block = static_cast<std::uint32_t>(std::uint64_t{p} * blocks_.block_count() / n);
-    while (order_.last_of(blocks_.first_block_node + block) <= p) ++block;
-    return block;
-  }
-
   void file_incoming() {
-    for (const auto& outer : blocks_.outer) {
-      for (const CandidatePair& pair : outer) incoming_[block_of(pair.q)].push_back(pair);
+    for (const auto& outer : outer_) {
+      for (const CandidatePair& pair : outer) incoming_[blocks_.block_of(pair.q)].push_back(pair);
     }
   }
 
   NodeResult descend(std::uint32_t node) {
-    if (node >= blocks_.first_block_node) return process_block(node - blocks_.first_block_node);
+    if (node >= blocks_.count()) return process_block(node - blocks_.count());
     NodeResult low, high;
     tbb::parallel_invoke([&] { low = descend(2 * node); }, [&] { high = descend(2 * node + 1); });
     const Index end = order_.last_of(node);
@@ -110,42 +110,41 @@ class LmtStage {
   NodeResult process_block(std::uint32_t block) {
     if (context_.deadline_passed())
       throw SearchStopped(StopReason::deadline, "the deadline passed during the LMT stage");
-    const std::uint32_t node = blocks_.first_block_node + block;
-    const StarArena arena = build_stars(node, block);
+    const std::uint32_t node = blocks_.node_of(block);
+    auto& [inner, arena] = workspaces_.local();
+    test_.take_inner(block, context_, inner);
+    build_stars(block, inner, arena);
+    incoming_[block] = std::vector<CandidatePair>();  // {} would keep the memory
     NodeResult result;
-    const auto edges = longest_first(order_.points, scale_, blocks_.inner[block]);
-    blocks_.inner[block] = {};
-    incoming_[block] = {};
-    result.counters =
-        delete_edges_without_certificate(skeleton_.stars, order_.points, hull_, edges, context_, log_of(node));
+    result.counters = delete_edges_without_certificate(
+        skeleton_.stars, order_.points, hull_, longest_first(order_.points, scale_, inner), context_, log_of(node));
     compact_stars(node, block);
-    result.leaving = std::move(blocks_.outer[block]);
+    result.leaving = std::move(outer_[block]);
     return result;
   }
 
-  StarArena build_stars(std::uint32_t node, std::uint32_t block) {
-    const Index first = order_.first_of(node), last = order_.last_of(node);
+  void build_stars(std::uint32_t block, const std::vector<CandidatePair>& inner, StarArena& arena) {
+    const Index first = order_.first_of(blocks_.node_of(block)), last = order_.last_of(blocks_.node_of(block));
     std::vector<Star>& stars = skeleton_.stars.stars;
-    for (const auto& [p, q] : blocks_.inner[block]) {
+    for (const auto& [p, q] : inner) {
       ++stars[p].capacity;
       ++stars[q].capacity;
     }
-    for (const auto& [p, q] : blocks_.outer[block]) ++stars[p].capacity;
+    for (const auto& [p, q] : outer_[block]) ++stars[p].capacity;
     for (const auto& [p, q] : incoming_[block]) ++stars[q].capacity;
     std::size_t halfedges = 0;
     for (Index v = first; v < last; ++v) halfedges += stars[v].capacity;
-    StarArena arena(halfedges);
+    arena.reset(halfedges);
     for (Index v = first; v < last; ++v) stars[v] = arena.allot(stars[v].capacity);
-    // In this order each star's targets ascend, as CandidateBlocks promises.
+    // In this order each star's targets ascend, as DiamondTest promises.
     for (const auto& [p, q] : incoming_[block]) append(q, p);
-    for (const auto& [p, q] : blocks_.inner[block]) {
+    for (const auto& [p, q] : inner) {
       append(p, q);
       append(q, p);
     }
-    for (const auto& [p, q] : blocks_.outer[block]) append(p, q);
+    for (const auto& [p, q] : outer_[block]) append(p, q);
     assert(std::all_of(stars.begin() + first, stars.begin() + last,
                        [](const Star& star) { return std::ranges::is_sorted(star.targets()); }));
-    return arena;
   }
 
   void append(Index from, Index to) {
@@ -166,20 +165,22 @@ class LmtStage {
 
   const KdOrder& order_;
   const HullEdges& hull_;
-  CandidateBlocks& blocks_;
+  DiamondTest& test_;
+  const PointBlocks& blocks_;
   const Context& context_;
   LmtSkeleton& skeleton_;
   double scale_;
+  std::vector<std::vector<CandidatePair>> outer_;     // edges to later blocks, by block
   std::vector<std::vector<CandidatePair>> incoming_;  // edges from earlier blocks, by block
-  std::vector<std::vector<Edge>> deleted_;            // by node, if a proof is wanted
+  tbb::enumerable_thread_specific<Workspace> workspaces_;
+  std::vector<std::vector<Edge>> deleted_;  // by node, if a proof is wanted
 };
 
 }  // namespace
 
-LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, CandidateBlocks blocks,
-                              const Context& context) {
+LmtSkeleton find_lmt_skeleton(const KdOrder& order, const HullEdges& hull, DiamondTest& test, const Context& context) {
   LmtSkeleton skeleton;
-  LmtStage(order, hull, blocks, context, skeleton).run();
+  LmtStage(order, hull, test, context, skeleton).run();
   return skeleton;
 }
 

@@ -157,8 +157,8 @@ TEST(LmtSkeleton, StopsAtTheDeadline) {
   const KdOrder order = make_kd_order(generate("uniform", 1000, 1));
   Context context;
   context.deadline = Context::Clock::now() - std::chrono::seconds(1);
-  EXPECT_THROW((void)find_lmt_skeleton(order, hull_of(order.points), diamond_candidates(order), context),
-               SearchStopped);
+  DiamondTest test(order);
+  EXPECT_THROW((void)find_lmt_skeleton(order, hull_of(order.points), test, context), SearchStopped);
 }
 
 }  // namespace

@@ -80,7 +80,14 @@ class StarArena {
   static constexpr std::size_t kSlack = 64;
 
   StarArena() = default;
-  explicit StarArena(std::size_t halfedges) : words_(2 * halfedges + kSlack), components_(2 * halfedges + kSlack) {}
+  explicit StarArena(std::size_t halfedges) { reset(halfedges); }
+
+  /// Empties the arena and makes room: in the same memory, if that is large enough.
+  void reset(std::size_t halfedges) {
+    words_.resize(std::max(words_.size(), 2 * halfedges + kSlack));
+    components_.resize(words_.size());
+    used_ = 0;
+  }
 
   /// An empty star with room for `capacity` halfedges. Precondition: all stars together have no more than the arena.
   [[nodiscard]] Star allot(std::uint32_t capacity) {

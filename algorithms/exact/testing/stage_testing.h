@@ -1,6 +1,8 @@
 // For tests only: instances of all families, and the front stages of the exact solver one after the other.
 #pragma once
 
+#include <tbb/parallel_for.h>
+
 #include <set>
 #include <string>
 #include <vector>
@@ -53,21 +55,34 @@ inline HullEdges hull_of(Points points) {
   return edges;
 }
 
-inline CandidateBlocks diamond_candidates(const KdOrder& order) {
-  return DiamondTest(order).find_candidates(Context());
+/// All that the diamond test finds, by blocks.
+struct DiamondCandidates {
+  std::vector<std::vector<CandidatePair>> inner;
+  std::vector<std::vector<CandidatePair>> outer;
+};
+
+inline DiamondCandidates diamond_candidates(const KdOrder& order) {
+  DiamondTest test(order);
+  DiamondCandidates candidates;
+  candidates.outer = test.find_outer(Context());
+  candidates.inner.resize(test.blocks().count());
+  tbb::parallel_for(std::uint32_t{0}, test.blocks().count(),
+                    [&](std::uint32_t block) { test.take_inner(block, Context(), candidates.inner[block]); });
+  return candidates;
 }
 
 inline LmtSkeleton lmt_skeleton(const KdOrder& order) {
-  return find_lmt_skeleton(order, hull_of(order.points), diamond_candidates(order), Context());
+  DiamondTest test(order);
+  return find_lmt_skeleton(order, hull_of(order.points), test, Context());
 }
 
 inline CandidateGraph candidate_graph(const KdOrder& order) {
   return mark_certain_edges(order.points, lmt_skeleton(order).stars, Context{});
 }
 
-inline std::set<Edge> edges_in(const CandidateBlocks& blocks) {
+inline std::set<Edge> edges_in(const DiamondCandidates& candidates) {
   std::set<Edge> edges;
-  for (const auto* lists : {&blocks.inner, &blocks.outer}) {
+  for (const auto* lists : {&candidates.inner, &candidates.outer}) {
     for (const auto& pairs : *lists) {
       for (const auto& [p, q] : pairs) edges.insert(make_edge(p, q));
     }

@@ -39,6 +39,9 @@ TEST_F(ProofCommands, UnusableFilesAreMistakes) {
   EXPECT_EQ(verify("p.txt p.txt").exit_code, 2);
   EXPECT_EQ(verify("p.txt missing").exit_code, 2);
   EXPECT_EQ(verify("missing p.txt").exit_code, 2);
+  EXPECT_EQ(verify("p.txt .").exit_code, 2);
+  ASSERT_EQ(shell("mkfifo pipe"), 0);
+  EXPECT_EQ(verify("p.txt pipe").exit_code, 2) << "not opened: nobody writes";
 }
 
 TEST_F(ProofCommands, AVerdictThatCannotBePrintedIsNone) {

@@ -1,0 +1,389 @@
+#include "algorithms/exact/strip_proof.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "algorithms/exact/division/disjoint_sets.h"
+#include "algorithms/exact/faces/face_region.h"
+#include "algorithms/exact/holes/strip.h"
+#include "algorithms/proof/dual_leaf.h"
+#include "algorithms/proof/half_length.h"
+#include "algorithms/proof/polygon_duals.h"
+#include "geometry/numbers/interval.h"
+#include "geometry/predicates.h"
+#include "geometry/undirected_edges.h"
+#include "geometry/weight.h"
+
+namespace mwt {
+
+namespace {
+
+// Of the optimum, in units.
+constexpr int kWholeBits = 56;
+
+// Checking a proof with more dual values would take too long.
+constexpr std::size_t kMaxDuals = 20'000'000;
+
+// What the region costs at least if nothing fits: more than any optimum.
+constexpr std::int64_t kNeverFits = PolygonDuals::kNever;
+
+class StripProof {
+ public:
+  StripProof(DualRegion& region, const LocalRegion& local, const Deadline& deadline)
+      : region_(region), local_(local), deadline_(deadline) {
+    for (const auto& [from, to] : region.open_edges) open_.push_back({region.places[from], region.places[to]});
+  }
+
+  bool run(std::optional<double> length) {
+    auto strip = make_strip(local_.points, as_face());
+    if (!strip) return false;
+    strip_ = *std::move(strip);
+    choose_cuts();
+    choose_unit(length);
+    if (!add_chain(strip_.outer, false, outer_) || !add_chain(strip_.inner, true, inner_)) return false;
+    list_nodes();
+    if (cuts_.size() * nodes_.size() > kMaxDuals) return false;
+    add_base();
+    std::int64_t least = kNeverFits;
+    for (const OpenEdge cut : cuts_) {
+      if (has_passed(deadline_)) return give_up();
+      add_branch(region_, cut);
+      least = std::min(least, add_leaf_of(cut));
+      is_out_[cut] = true;
+    }
+    add_impossible_leaf();
+    region_.lower_bound = std::max(0.0, next_down(std::ldexp(static_cast<double>(least), region_.unit_exponent)));
+    return true;
+  }
+
+ private:
+  using Place = Strip::Place;
+  using OpenEdge = std::uint32_t;  // position in open_
+  using NodeNumber = std::uint32_t;
+  static constexpr Place kRepeated = -1;
+
+  // An edge between two places of one boundary, and what lies behind it.
+  struct Chord {
+    Place to;
+    std::int64_t cost;  // of what it cuts off, and once more its half; 0 for a side of the boundary
+    std::int64_t dual;  // of its side towards what it cuts off
+  };
+  using Chords = std::vector<std::vector<Chord>>;  // by place of one period, ascending
+  // An edge across, from an outer place of the first period.
+  struct Node {
+    Place outer, inner;
+    OpenEdge edge;
+    std::int64_t half;
+  };
+  // At an edge across, or its copy a period later: what a cheapest path from the cut at hand costs.
+  struct Arrival {
+    Place inner;
+    NodeNumber node;
+    std::int64_t half;
+    std::int64_t cost;  // kNeverFits: there is no path
+  };
+
+  bool give_up() {
+    region_.tree.clear();
+    return false;
+  }
+
+  // By local numbers, as everything here.
+  [[nodiscard]] FaceRegion as_face() const {
+    FaceRegion face;
+    face.vertices.resize(local_.points.size());
+    std::iota(face.vertices.begin(), face.vertices.end(), Index{0});
+    face.boundary = local_.boundary;
+    face.candidates = undirected_edges(open_);
+    face.components = 2;
+    return face;
+  }
+
+  // Turned by a quarter of a circle several times; which side of a line a point is on does not change.
+  [[nodiscard]] Point turned(Index v) const {
+    const Point& p = local_.points[v];
+    switch (turns_) {
+      case 0: return p;
+      case 1: return {p.y, -p.x};
+      case 2: return {-p.x, -p.y};
+      default: return {-p.y, p.x};
+    }
+  }
+
+  void choose_cuts() {
+    int best_turns = 0;
+    std::optional<std::vector<OpenEdge>> fewest;
+    const std::vector<Index>& inner = strip_.inner.vertex;
+    for (const int turns : {0, 1, 2, 3}) {
+      turns_ = turns;
+      const Index last = *std::max_element(
+          inner.begin(), inner.end(), [&](Index v, Index w) { return lexicographically_less(turned(v), turned(w)); });
+      std::vector<OpenEdge> cuts;
+      for (OpenEdge e = 0; e < open_.size(); ++e) {
+        const auto [a, b] = open_[e];
+        if (a != last && b != last) continue;
+        if (lexicographically_less(turned(last), turned(a == last ? b : a))) cuts.push_back(e);
+      }
+      if (fewest && fewest->size() <= cuts.size()) continue;
+      fewest = std::move(cuts);
+      best_turns = turns;
+      from_ = last;
+    }
+    turns_ = best_turns;
+    cuts_ = *std::move(fewest);
+    is_out_.assign(open_.size(), false);
+  }
+
+  // Without a length, so that no optimum has more than 57 bits.
+  void choose_unit(std::optional<double> length_of_diagonals) {
+    double longest = 0;
+    for (const auto& [a, b] : open_) longest = std::max(longest, length(local_.points[a], local_.points[b]).high);
+    const int diagonal_bits = std::ilogb(static_cast<double>(3 * local_.points.size())) + 1;
+    region_.unit_exponent = length_of_diagonals ? std::ilogb(std::max(*length_of_diagonals, longest)) + 1 - kWholeBits
+                                                : std::ilogb(longest) + 1 - std::min(50, kWholeBits - diagonal_bits);
+  }
+
+  [[nodiscard]] std::int64_t half(Index a, Index b) const {
+    return std::max<std::int64_t>(0, half_length(length(local_.points[a], local_.points[b]), region_.unit_exponent));
+  }
+
+  // The boundary repeated twice as a polygon: all chords lie in it. `is_reversed`: its order is that of falling places.
+  bool add_chain(const Strip::Chain& chain, bool is_reversed, Chords& chords) {
+    const Place period = chain.period();
+    chords.resize(static_cast<std::size_t>(period));
+    if (period == 0) return true;
+    std::vector<Index> corners;
+    for (Place p = 0; p <= 2 * period; ++p) corners.push_back(chain.vertex_at(is_reversed ? -p : p));
+    struct Diagonal {
+      std::array<std::uint32_t, 2> ends;
+      Place from, to;
+    };
+    std::vector<Diagonal> all;
+    for (Place from = 0; from < period; ++from) {
+      for (const Place to : chain.chord[static_cast<std::size_t>(from)]) {
+        if (to == from + 1) {
+          chords[static_cast<std::size_t>(from)].push_back({to, 0, 0});
+          continue;
+        }
+        const Place first = is_reversed ? (2 * period - to) % period : from, last = first + to - from;
+        const auto begin = static_cast<std::uint32_t>(first), end = static_cast<std::uint32_t>(last);
+        all.push_back({{begin, end}, from, to});
+        const auto shift = static_cast<std::uint32_t>(period);
+        if (end + shift < corners.size()) all.push_back({{begin + shift, end + shift}, kRepeated, to});
+      }
+    }
+    std::sort(all.begin(), all.end(), [](const auto& d, const auto& e) { return d.ends < e.ends; });
+    std::vector<std::array<std::uint32_t, 2>> diagonals;
+    for (const Diagonal& diagonal : all) diagonals.push_back(diagonal.ends);
+    const auto solved = PolygonDuals().solve(local_.points, corners, diagonals, deadline_, region_.unit_exponent);
+    if (!solved) return false;
+    const DualNode& leaf = solved->tree.front();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto& [ends, from, to] = all[i];
+      if (from == kRepeated) continue;
+      const std::int64_t dual = -leaf.edge_duals[i];
+      const std::int64_t cost = std::min(kNeverFits, dual + half(corners[ends[0]], corners[ends[1]]));
+      chords[static_cast<std::size_t>(from)].push_back({to, cost, dual});
+    }
+    for (auto& row : chords)
+      std::sort(row.begin(), row.end(), [](const Chord& c, const Chord& d) { return c.to < d.to; });
+    return true;
+  }
+
+  void list_nodes() {
+    std::vector<std::pair<Edge, OpenEdge>> numbers;
+    for (OpenEdge e = 0; e < open_.size(); ++e) numbers.emplace_back(make_edge(open_[e].a, open_[e].b), e);
+    std::sort(numbers.begin(), numbers.end());
+    node_of_.assign(open_.size(), kNoIndex);
+    for (Place a = 0; a < strip_.outer.period(); ++a) {
+      first_.push_back(static_cast<NodeNumber>(nodes_.size()));
+      for (const Place s : strip_.across[static_cast<std::size_t>(a)]) {
+        const Index v = strip_.outer.vertex_at(a), w = strip_.inner.vertex_at(s);
+        const OpenEdge edge = std::lower_bound(numbers.begin(), numbers.end(), std::pair(make_edge(v, w), 0U))->second;
+        node_of_[edge] = static_cast<NodeNumber>(nodes_.size());
+        nodes_.push_back({a, s, edge, half(v, w)});
+        across_.push_back(edge);
+      }
+    }
+    first_.push_back(static_cast<NodeNumber>(nodes_.size()));
+    std::sort(across_.begin(), across_.end());
+    cost_of_.resize(open_.size());
+  }
+
+  struct DirectedDual {
+    Edge side;  // from a to b; the other side has the negative value
+    std::int64_t dual;
+  };
+
+  void add_base() {
+    std::vector<DirectedDual> duals;
+    for (const bool is_outer : {true, false}) {
+      const Strip::Chain& chain = is_outer ? strip_.outer : strip_.inner;
+      for (Place from = 0; from < chain.period(); ++from) {
+        for (const Chord& chord : (is_outer ? outer_ : inner_)[static_cast<std::size_t>(from)]) {
+          if (chord.to == from + 1) continue;
+          duals.push_back({{chain.vertex_at(from), chain.vertex_at(chord.to)}, is_outer ? -chord.dual : chord.dual});
+        }
+      }
+    }
+    std::sort(duals.begin(), duals.end(), [](const auto& d, const auto& e) { return d.side < e.side; });
+    const auto find = [&](const Edge& side) -> std::optional<std::int64_t> {
+      const auto found = std::lower_bound(duals.begin(), duals.end(), side,
+                                          [](const DirectedDual& d, const Edge& s) { return d.side < s; });
+      return found != duals.end() && found->side == side ? std::optional(found->dual) : std::nullopt;
+    };
+    add_leaf(region_, [&](Index from, Index to) {
+      if (const auto dual = find({from, to})) return *dual;
+      const auto other = find({to, from});
+      return other ? -*other : 0;
+    });
+    DualNode& base = region_.tree.back();
+    base.kind = DualNode::Kind::base;
+    base.other_duals.clear();
+  }
+
+  // Paths of triangles from the cut once around the hole to its copy; between the two lie all edges across that do not
+  // cross it. Returns what they cost at least.
+  std::int64_t add_leaf_of(OpenEdge cut) {
+    const Node& start = nodes_[node_of_[cut]];
+    const Place period = strip_.outer.period();
+    lay_out_rows(start);
+    rows_.front().front().cost = 0;
+    for (Place i = 0; i < period; ++i) {
+      const Place place = (start.outer + i) % period;
+      follow_inner_chords(rows_[static_cast<std::size_t>(i)]);
+      for (const Chord& chord : outer_[static_cast<std::size_t>(place)]) {
+        const Place reached = i + chord.to - place;
+        if (reached > period) break;
+        follow_outer_chord(rows_[static_cast<std::size_t>(i)], chord, rows_[static_cast<std::size_t>(reached)]);
+      }
+    }
+    follow_inner_chords(rows_.back());
+    add_changes(cut);
+    return rows_.back().back().cost;
+  }
+
+  // By outer place, from the cut's to that of its copy; ascending.
+  void lay_out_rows(const Node& start) {
+    const Place outer = strip_.outer.period(), inner = strip_.inner.period();
+    rows_.resize(static_cast<std::size_t>(outer) + 1);
+    for (Place i = 0; i <= outer; ++i) {
+      auto& row = rows_[static_cast<std::size_t>(i)];
+      row.clear();
+      const Place place = (start.outer + i) % outer, shift = start.outer + i < outer ? 0 : inner;
+      for (NodeNumber n = first_[static_cast<std::size_t>(place)]; n < first_[static_cast<std::size_t>(place) + 1];
+           ++n) {
+        const Node& node = nodes_[n];
+        const bool is_between = node.inner + shift >= start.inner && node.inner + shift <= start.inner + inner;
+        if (is_between && !is_out_[node.edge]) row.push_back({node.inner + shift, n, node.half, kNeverFits});
+      }
+    }
+  }
+
+  static void offer(const Arrival& from, const Chord& chord, Arrival& to) {
+    to.cost = std::min(to.cost, from.cost + from.half + chord.cost + to.half);
+  }
+
+  // Triangles at one outer place.
+  void follow_inner_chords(std::vector<Arrival>& row) const {
+    const Place period = strip_.inner.period();
+    if (period == 0) return;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const Place place = ((row[i].inner % period) + period) % period, shift = row[i].inner - place;
+      std::size_t reached = i + 1;
+      for (const Chord& chord : inner_[static_cast<std::size_t>(place)]) {
+        while (reached < row.size() && row[reached].inner < chord.to + shift) ++reached;
+        if (reached == row.size()) break;
+        if (row[reached].inner == chord.to + shift) offer(row[i], chord, row[reached]);
+      }
+    }
+  }
+
+  // Triangles over a chord of the outer boundary, between the edges at its ends.
+  static void follow_outer_chord(const std::vector<Arrival>& row, const Chord& chord, std::vector<Arrival>& next) {
+    auto reached = next.begin();
+    for (const Arrival& arrival : row) {
+      while (reached != next.end() && reached->inner < arrival.inner) ++reached;
+      if (reached == next.end()) return;
+      if (reached->inner == arrival.inner) offer(arrival, chord, *reached);
+    }
+  }
+
+  // On the side from outer to inner end the cost, on the other the negative; on the cut's two sides the whole and 0.
+  void add_changes(OpenEdge cut) {
+    for (const auto& row : rows_) {
+      for (const Arrival& arrival : row) cost_of_[nodes_[arrival.node].edge] = arrival.cost;
+    }
+    DualNode& leaf = region_.tree.emplace_back();
+    leaf.kind = DualNode::Kind::changed_leaf;
+    for (const OpenEdge e : across_) {
+      if (!cost_of_[e]) continue;
+      const bool is_from_outer = open_[e].a == strip_.outer.vertex_at(nodes_[node_of_[e]].outer);
+      const std::int64_t cost = *std::exchange(cost_of_[e], std::nullopt);
+      leaf.changed_edges.push_back(e);
+      leaf.edge_duals.push_back(is_from_outer ? cost : e == cut ? 0 : -cost);
+      leaf.other_duals.push_back(!is_from_outer ? cost : e == cut ? 0 : -cost);
+    }
+  }
+
+  // All cuts are out: around every triangle, the sides cross the ray from beyond `from_` as often one way as the other.
+  void add_impossible_leaf() {
+    const DualNode base = region_.tree.front();
+    DualNode& leaf = region_.tree.emplace_back();
+    leaf.kind = DualNode::Kind::changed_leaf;
+    std::uint32_t side = 0, first = 0;
+    for (const std::uint32_t size : region_.walk_sizes) {
+      for (std::uint32_t i = 0; i < size; ++i, ++side) {
+        const std::int64_t change = crossing_of_ray(region_.places[first + i], region_.places[first + (i + 1) % size]);
+        if (change == 0) continue;
+        leaf.changed_sides.push_back(side);
+        leaf.side_duals.push_back(base.side_duals[side] + change);
+      }
+      first += size;
+    }
+    for (OpenEdge e = 0; e < open_.size(); ++e) {
+      const std::int64_t change = crossing_of_ray(open_[e].a, open_[e].b);
+      if (change == 0) continue;
+      leaf.changed_edges.push_back(e);
+      leaf.edge_duals.push_back(base.edge_duals[e] + change);
+    }
+  }
+
+  [[nodiscard]] std::int64_t crossing_of_ray(Index from, Index to) const {
+    const Point a = turned(from), b = turned(to), u = turned(from_);
+    if (from == from_ || to == from_) return 0;
+    if (a.y <= u.y && u.y < b.y && orientation(a, b, u) > 0) return kNeverFits;
+    if (b.y <= u.y && u.y < a.y && orientation(b, a, u) > 0) return -kNeverFits;
+    return 0;
+  }
+
+  DualRegion& region_;
+  const LocalRegion& local_;
+  const Deadline& deadline_;
+  std::vector<Edge> open_;  // of the region, from first to second place
+  Strip strip_;
+  int turns_ = 0;
+  Index from_ = 0;
+  std::vector<OpenEdge> cuts_;
+  std::vector<bool> is_out_;
+  Chords outer_, inner_;
+  std::vector<Node> nodes_;                           // by outer place
+  std::vector<NodeNumber> first_;                     // of each outer place, and the end
+  std::vector<NodeNumber> node_of_;                   // by open edge
+  std::vector<OpenEdge> across_;                      // ascending
+  std::vector<std::vector<Arrival>> rows_;            // of the cut at hand
+  std::vector<std::optional<std::int64_t>> cost_of_;  // by open edge
+};
+
+}  // namespace
+
+bool add_strip_duals(DualRegion& region, const LocalRegion& local, std::optional<double> length,
+                     const Deadline& deadline) {
+  return StripProof(region, local, deadline).run(length);
+}
+
+}  // namespace mwt
