@@ -194,10 +194,13 @@ std::uint64_t examine_between_large_stars(StarTable& table, const KdOrder& order
       if (v < w && stars[w].count > Star::kMaxExamined) edges.push_back({v, w});
     }
   }
+  // Of few edges more may be tried: a plate with two holes and 3,000 points is then connected.
+  constexpr std::size_t kMany = std::size_t{1} << 20;
+  const std::uint32_t max_examined = (edges.size() < kMany ? 2 : 1) * Star::kMaxExaminedAtLast;
   const auto sorted = longest_first(order.points, distance_scale(order), edges);
   std::vector<Edge> deleted;
   const LmtCounters counters =
-      delete_edges_without_certificate(table, order.points, hull, sorted, context, &deleted, Star::kMaxExaminedAtLast);
+      delete_edges_without_certificate(table, order.points, hull, sorted, context, &deleted, max_examined);
   if (context.proof != nullptr)
     context.proof->edges.push_back({EdgeReason::not_locally_minimal, std::move(deleted), {}});
   if (context.deadline_passed()) throw SearchStopped(StopReason::deadline, "the deadline passed during the LMT stage");

@@ -34,6 +34,18 @@ FaceRegion with_slit(Points points, const FaceRegion& region, const Edge& edge) 
   return slit;
 }
 
+// The branches that have not been begun, all at once: what they have in common is that they lack the edges of the others.
+// Each of them by itself would cost the time that there is no more.
+void leave_rest(Points points, const FaceRegion& rest, const RegionSearch& search, RegionSolution& best) {
+  RegionSolution left = leave_unsolved(points, rest, StopReason::deadline, search.bounds_deadline);
+  best.lower_bound = std::min(best.lower_bound, left.lower_bound);
+  best.solved = false;
+  best.stop_reason = combined(best.stop_reason, left.stop_reason);
+  if (!best.triangles.empty()) return;
+  best.triangles = std::move(left.triangles);
+  best.diagonals = left.diagonals;
+}
+
 }  // namespace
 
 std::vector<Edge> unavoidable_candidates(Points points, const FaceRegion& region) {
@@ -82,6 +94,10 @@ RegionSolution solve_by_branching(Points points, const FaceRegion& region, const
     own.add(points[edge.a], points[edge.b]);
     if (own.enclosure().lower >= limit) {  // as are the others
       best.lower_bound = std::min(best.lower_bound, limit);
+      break;
+    }
+    if (has_passed(search.deadline)) {
+      leave_rest(points, rest, search, best);
       break;
     }
     branch.limit = next_up(limit - own.enclosure().lower);

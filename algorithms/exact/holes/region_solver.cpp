@@ -48,6 +48,7 @@ class RegionSolver {
 
   RegionSolution run() {
     if (region_.components == 1) return solve_polygon();
+    if (has_passed(search_.deadline)) return left_unsolved(StopReason::deadline);
     if (region_.components == 2 && search_.methods.annuli) {
       if (auto solution = solve_with_one_hole()) return *std::move(solution);
     }
