@@ -34,8 +34,8 @@ FaceRegion with_slit(Points points, const FaceRegion& region, const Edge& edge) 
   return slit;
 }
 
-// The branches that have not been begun, all at once: what they have in common is that they lack the edges of the others.
-// Each of them by itself would cost the time that there is no more.
+// The branches that have not been begun, all at once: what they have in common is that they lack the edges of the
+// others. Each of them by itself would cost the time that there is no more.
 void leave_rest(Points points, const FaceRegion& rest, const RegionSearch& search, RegionSolution& best) {
   RegionSolution left = leave_unsolved(points, rest, StopReason::deadline, search.bounds_deadline);
   best.lower_bound = std::min(best.lower_bound, left.lower_bound);
