@@ -87,7 +87,7 @@ std::array<unsigned char, 32> content_hash(Points points) {
 std::string instance_id(Points points) {
   const std::array<unsigned char, 32> hash = content_hash(points);
   std::string text;
-  for (int i = 0; i < 16; ++i) fmt::format_to(std::back_inserter(text), "{:02x}", hash[i]);
+  for (std::size_t i = 0; i < 16; ++i) fmt::format_to(std::back_inserter(text), "{:02x}", hash[i]);
   return text;
 }
 

@@ -78,10 +78,10 @@ std::string end_of(const std::string& file, std::size_t size) {
 }
 
 bool speaks_of_memory(const std::string& errors) {
-  static const std::vector<std::string> kWords = {"MemoryError",  "bad_alloc",    "annot allocate memory",
-                                                  "ut of memory", "ut of Memory", "emory exhausted"};
-  return std::any_of(kWords.begin(), kWords.end(),
-                     [&](const std::string& words) { return errors.find(words) != std::string::npos; });
+  static const std::vector<std::string> words = {"MemoryError",  "bad_alloc",    "annot allocate memory",
+                                                 "ut of memory", "ut of Memory", "emory exhausted"};
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& phrase) { return errors.find(phrase) != std::string::npos; });
 }
 
 // One execution of the command.
@@ -192,11 +192,11 @@ void require_known_placeholders(const std::string& text, const Values& defaults)
 }  // namespace
 
 AlgorithmInfo algorithm_of(const std::string& name, const ExternalCommand& command, const Values& defaults) {
-  static const std::vector<std::string> kFormats = {"txt", "csv", "tsp", "json"};
+  static const std::vector<std::string> formats = {"txt", "csv", "tsp", "json"};
   if (!is_name(name)) throw InputError(shown(name) + ": a name consists of letters, digits and '_'");
   if (command.words.empty()) throw InputError("'command' is empty; give the program and its arguments");
-  if (std::ranges::find(kFormats, command.points_format) == kFormats.end())
-    throw InputError("unknown format of points " + shown(command.points_format) + "; known: " + joined(kFormats, ", "));
+  if (std::ranges::find(formats, command.points_format) == formats.end())
+    throw InputError("unknown format of points " + shown(command.points_format) + "; known: " + joined(formats, ", "));
   for (const std::string& word : command.words) require_known_placeholders(word, defaults);
   for (const auto& [variable, value] : command.environment) require_known_placeholders(value, defaults);
   if (has_placeholder(command, "triangles") && has_placeholder(command, "edges"))

@@ -20,8 +20,6 @@
 #include "base/error.h"
 #include "harness/run/machine/orphans.h"
 
-extern char** environ;
-
 namespace mwt {
 
 namespace {
@@ -46,7 +44,7 @@ class ExecText {
   std::vector<char*> pointers_;
 };
 
-std::vector<std::string> environment_with(std::map<std::string, std::string> more) {
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& more) {
   std::vector<std::string> lines;
   for (char** line = environ; *line != nullptr; ++line) {
     const std::string text = *line;
