@@ -14,6 +14,7 @@
 #include "algorithms/common/solve_scaled.h"
 #include "algorithms/greedy/greedy.h"
 #include "geometry/convex_hull.h"
+#include "geometry/edge_faces.h"
 #include "geometry/weight.h"
 
 namespace mwt {

@@ -20,7 +20,4 @@ struct CrossingModel {
   [[nodiscard]] bool cross(std::uint32_t e, std::uint32_t f) const;
 };
 
-/// The triangulation with these edges. Precondition: a model of the CrossingModel. O(n^4).
-[[nodiscard]] Triangulation triangulation_of(Points points, const std::vector<Edge>& edges);
-
 }  // namespace mwt

@@ -3,19 +3,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <utility>
 
 #include "base/error.h"
-#include "base/number_text.h"
 #include "harness/io/compression.h"
 #include "harness/io/input_file.h"
 #include "harness/io/text/text.h"
 #include "harness/io/text/text_file.h"
 #include "harness/io/text/text_lines.h"
 #include "harness/io/text/text_table.h"
+#include "harness/io/text/word_rows.h"
 #include "harness/io/triangulation_file.h"
 
 namespace mwt {
@@ -75,34 +74,20 @@ class JsonSolution {
   Json document_;
 };
 
-// "TRIANGLES 3 ATTRIBUTES", then "ID a b c ..." each; comments begin with #.
+// "TRIANGLES 3 ATTRIBUTES", then "ID a b c ..." each.
 std::vector<CornerList> read_ele(const std::string& source, std::string_view text) {
-  constexpr std::size_t kCorners = 3;
-  TextLines lines(source, text);
-  std::optional<std::size_t> count;
+  WordRows rows(source, text);
+  rows.require_next("'TRIANGLES 3 ATTRIBUTES'");
+  const std::size_t count = rows.count(0);
+  if (rows.words().size() < 2 || rows.words()[1] != "3") rows.fail("does not begin with 'TRIANGLES 3 ATTRIBUTES'");
   std::vector<CornerList> all;
-  while (lines.next()) {
-    std::vector<std::string_view> words;
-    split_columns(lines.line().substr(0, lines.line().find('#')), ' ', words);
-    std::erase_if(words, [](std::string_view word) { return word.empty(); });
-    if (words.empty()) continue;
-    if (!count) {
-      count = parse_whole_number<std::size_t>(words[0]);
-      if (!count || words.size() < 2 || words[1] != "3") lines.fail("does not begin with 'TRIANGLES 3 ATTRIBUTES'");
-      continue;
-    }
-    if (words.size() <= kCorners) lines.fail("a triangle needs its number and three corners");
+  while (rows.next()) {
     CornerList corners;
-    for (std::size_t i = 1; i <= kCorners; ++i) {
-      const auto corner = parse_whole_number<Index>(words[i]);
-      if (!corner || *corner == kNoIndex) lines.fail(shown(words[i]) + " is not the index of a point");
-      corners.push_back(*corner);
-    }
-    all.push_back(corners);
+    for (const std::size_t place : {1U, 2U, 3U}) corners.push_back(static_cast<Index>(rows.count(place)));
+    all.push_back(std::move(corners));
   }
-  if (!count || all.size() != *count)
-    lines.fail_as_a_whole(
-        fmt::format("{} where its first line states {}", counted(all.size(), "triangle"), count.value_or(0)));
+  if (all.size() != count)
+    rows.fail_as_a_whole(fmt::format("{} where its first line states {}", counted(all.size(), "triangle"), count));
   return all;
 }
 

@@ -9,6 +9,7 @@
 #include "harness/io/proof_file.h"
 #include "harness/io/text/csv.h"
 #include "harness/run/command/command.h"
+#include "harness/run/command/command_folder.h"
 #include "harness/run/delaunay_time.h"
 
 namespace mwt {
@@ -119,8 +120,11 @@ void start_isolated_run(ProcessPool& pool, const Request& request, const Instanc
     return encode(run_here(request, points, timing, limits.time_s + limits.grace_s, proof_file));
   };
   const ProcessLimits process = process_limits(limits, allowance_s(timing, !proof_file.empty(), n), request.threads);
-  pool.start(work, process,
-             [when_done = std::move(when_done)](const ProcessResult& result) { when_done(run_after(result)); });
+  const bool may_leave_folder = request.algorithm->runs_outside;
+  pool.start(work, process, [when_done = std::move(when_done), may_leave_folder](const ProcessResult& result) {
+    if (may_leave_folder && result.end != ProcessEnd::finished) remove_abandoned_command_folders();
+    when_done(run_after(result));
+  });
 }
 
 }  // namespace mwt

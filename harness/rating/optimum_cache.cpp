@@ -206,7 +206,12 @@ bool OptimumCache::fetch_proof(const OptimumKey& key, const std::string& file) {
 }
 
 void OptimumCache::store_proof(const OptimumKey& key, const std::string& file) {
-  if (find(key)) put(proof_path_of(key), read_file(file));
+  if (!can_store_ || !find(key)) return;
+  try {
+    put(proof_path_of(key), read_file(file));
+  } catch (const InputError& error) {
+    warn_(std::string("a proof is not cached: ") + error.what());
+  }
 }
 
 void OptimumCache::discard_proof(const OptimumKey& key) {

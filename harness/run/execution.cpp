@@ -13,13 +13,16 @@ namespace mwt {
 
 namespace {
 
-// Nine tenths of what there is for tables, the rest for what no algorithm counts.
-std::optional<std::uint64_t> memory_for_tables() {
+// Nine tenths of what there is for tables, the rest for what no algorithm counts. Heuristics on few points make small
+// ones, and take less time than it takes to read how much memory there is.
+std::optional<std::uint64_t> memory_for_tables(const AlgorithmInfo& algorithm, std::size_t n) {
+  constexpr std::size_t kFewPoints = 1000;
+  if (algorithm.exactness == Exactness::heuristic && n < kFewPoints) return std::nullopt;
   const std::optional<std::uint64_t> available = available_memory_bytes();
   return available ? std::optional(*available / 10 * 9) : std::nullopt;
 }
 
-Context make_context(const Request& request) {
+Context make_context(const Request& request, std::size_t n) {
   Context context;
   context.seed = request.seed;
   context.threads = request.threads;
@@ -27,7 +30,7 @@ Context make_context(const Request& request) {
   context.start = request.start;
   context.proof = request.proof;
   context.progress = request.progress;
-  context.memory_bytes = memory_for_tables();
+  context.memory_bytes = memory_for_tables(*request.algorithm, n);
   return context;
 }
 
@@ -42,21 +45,9 @@ Solution execute(const Request& request, Points points, Context& context) {
   return request.algorithm->function(points, context);
 }
 
-}  // namespace
-
-Instance make_instance(const std::vector<Point>& input, const std::string& source) {
-  Instance instance;
-  instance.set = make_point_set(input, source);
-  instance.id = instance_id(instance.set.points);
-  instance.hull_size = static_cast<Index>(convex_hull(instance.set.points).size());
-  return instance;
-}
-
-namespace {
-
 // Another process is started once: it pays for its start each time.
 Execution execute_outside(const Request& request, Points points) {
-  Context context = make_context(request);
+  Context context = make_context(request, points.size());
   Execution execution;
   execution.solution = execute(request, points, context);
   execution.phases = std::move(context.phases);
@@ -69,10 +60,18 @@ Execution execute_outside(const Request& request, Points points) {
 
 }  // namespace
 
+Instance make_instance(const std::vector<Point>& input, const std::string& source) {
+  Instance instance;
+  instance.set = make_point_set(input, source);
+  instance.id = instance_id(instance.set.points);
+  instance.hull_size = static_cast<Index>(convex_hull(instance.set.points).size());
+  return instance;
+}
+
 Execution execute_repeatedly(const Request& request, Points points, double min_time_s) {
   if (request.algorithm->runs_outside) return execute_outside(request, points);
   Execution execution;
-  Context context = make_context(request);
+  Context context = make_context(request, points.size());
   reset_peak_memory();
   const RepeatedTiming timing = time_repeatedly(
       [&] {
@@ -89,7 +88,7 @@ Execution execute_repeatedly(const Request& request, Points points, double min_t
 }
 
 Execution solve_unmeasured(const Request& request, Points points) {
-  Context context = make_context(request);
+  Context context = make_context(request, points.size());
   Execution execution;
   execution.solution = execute(request, points, context);
   return execution;

@@ -57,6 +57,21 @@ TEST(Execution, RepetitionDoesNotAddToThePeakOfMemory) {
   EXPECT_LT(repeated.peak_rss_bytes, once + (std::uint64_t{1} << 23));
 }
 
+TEST(Execution, AlgorithmsThatMayNeedItGetToKnowHowMuchMemoryThereIs) {
+  static bool has_limit = false;
+  AlgorithmInfo info = testing::entry("looks", [](Points points, Context& context) {
+    has_limit = context.memory_bytes.has_value();
+    return testing::solve_well(points, context);
+  });
+  for (const auto& [n, exactness, expected] : {std::tuple(Index{100}, Exactness::heuristic, false),
+                                               {Index{100}, Exactness::exact, true},
+                                               {Index{2000}, Exactness::heuristic, true}}) {
+    info.exactness = exactness;
+    static_cast<void>(solve_unmeasured(request_for(info), uniform_instance(n).set.points));
+    EXPECT_EQ(has_limit, expected) << n;
+  }
+}
+
 TEST(Execution, WhatAnAlgorithmThrowsComesOut) {
   const Instance instance = uniform_instance(10);
   const AlgorithmInfo declines = testing::entry("declines", testing::decline);

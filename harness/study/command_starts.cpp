@@ -5,6 +5,7 @@
 
 #include "harness/io/text/text.h"
 #include "harness/rating/isolated_run.h"
+#include "harness/run/command/command_folder.h"
 #include "harness/run/process_pool.h"
 
 namespace mwt {
@@ -30,12 +31,14 @@ RatedRun run_on_three_points(const PlannedRun& planned, const Study& study) {
 }  // namespace
 
 std::map<std::string, double> measure_command_starts(const Study& study, const Plan& plan,
+                                                     const std::set<std::string>& recorded,
                                                      const std::function<void(const std::string& line)>& announce) {
   std::map<std::string, double> times;
   std::map<std::string, const PlannedRun*> commands;
   for (const PlannedRun& run : plan.runs) {
-    if (run.algorithm->runs_outside) commands.emplace(run.algorithm->name, &run);
+    if (run.algorithm->runs_outside && !recorded.contains(run.run_id)) commands.emplace(run.algorithm->name, &run);
   }
+  if (!commands.empty()) remove_abandoned_command_folders();
   for (const auto& [name, planned] : commands) {
     std::optional<RatedRun> fastest;
     for (int start = 0; start < kStarts; ++start) {

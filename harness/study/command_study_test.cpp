@@ -1,7 +1,10 @@
 // Studies with programs of others among their algorithms.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <sstream>
 
 #include "harness/io/testing/folder_testing.h"
@@ -43,6 +46,21 @@ memory_mb = 64
 seek = false
 )";
 
+class ScopedVariable {
+ public:
+  ScopedVariable(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    setenv(name, value.c_str(), 1);
+  }
+  ~ScopedVariable() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
+  ScopedVariable(const ScopedVariable&) = delete;
+  ScopedVariable& operator=(const ScopedVariable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
 Study study_in(const TestFolder& folder, std::string text) {
   const std::string examples = std::string(MWT_SOURCE_DIR) + "/library/examples/rivals";
   for (std::size_t at = text.find("FOLDER"); at != std::string::npos; at = text.find("FOLDER"))
@@ -59,6 +77,8 @@ std::string run(const Study& study, const std::string& out, bool resume = false)
 
 TEST(CommandStudySlow, EveryKindOfProgramHasItsRows) {
   const TestFolder folder;
+  std::filesystem::create_directory(folder.path("tmp"));
+  const ScopedVariable temporary("TMPDIR", folder.path("tmp"));
   run(study_in(folder, kPlanted), folder.path("out"));
   std::map<std::string, std::map<std::string, int>> statuses;
   for (const RunRecord& run : read_runs(folder.path("out"))) ++statuses[run.algorithm][to_text(run.status)];
@@ -75,6 +95,8 @@ TEST(CommandStudySlow, EveryKindOfProgramHasItsRows) {
   ASSERT_EQ(statuses.size(), expected.size());
   for (const auto& [algorithm, status] : expected)
     EXPECT_EQ(statuses[algorithm], (std::map<std::string, int>{{status, 20}})) << algorithm;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path("tmp")))
+    EXPECT_FALSE(entry.path().filename().string().starts_with("mwt-command-")) << entry.path();
 }
 
 constexpr const char* kRivals = R"(name = "r"
@@ -122,8 +144,9 @@ algorithms = [{ name = "own", command = ["sh", "own.sh"] }]
 seek = false
 )";
   write_text(folder.path("own.sh"), script);
-  run(study_in(folder, text), folder.path("out"));
-  run(study_in(folder, text), folder.path("out"), true);
+  EXPECT_NE(run(study_in(folder, text), folder.path("out")).find("starting it takes"), std::string::npos);
+  const std::string resumed = run(study_in(folder, text), folder.path("out"), true);
+  EXPECT_EQ(resumed.find("starting it takes"), std::string::npos) << "nothing is left to run";
   EXPECT_EQ(read_runs(folder.path("out")).size(), 1u);
   write_text(folder.path("own.sh"), "# changed\n" + script);
   EXPECT_THROW(run(study_in(folder, text), folder.path("out"), true), InputError) << "its runs are of another program";

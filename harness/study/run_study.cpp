@@ -103,7 +103,7 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   }
   OptimumCache* const cache_if_any = cache ? &*cache : nullptr;
   StudyResults results(folder, cache_if_any, announce);
-  const RowContext context{study, environment, measure_command_starts(study, plan, announce)};
+  const RowContext context{study, environment, measure_command_starts(study, plan, folder.run_ids(), announce)};
   execute_plan(plan, catalogue, context, folder, options.jobs, cache_if_any, progress, results);
   progress.finish();
   for (const std::string& warning : machine_watch.warnings()) out << "  warning: " << warning << '\n';

@@ -68,9 +68,9 @@ struct Study {
 /// any. Names of families and algorithms are checked when the study is planned.
 [[nodiscard]] Study read_study(const std::string& path, const std::optional<std::string>& instance_folder = {});
 
-/// The commands among the algorithms of a study file, which needs to have no more than those. Throws InputError as
-/// read_study(), and if there is none.
-[[nodiscard]] std::vector<StudyCommand> read_commands(const std::string& path);
+/// The commands among the algorithms of a study file, which needs to have no more than those; none without a file.
+/// Throws InputError as read_study(), and if the file has none.
+[[nodiscard]] std::vector<StudyCommand> read_commands(const std::optional<std::string>& study_file);
 
 /// The algorithm of that name: of the commands, else of the catalogue. Throws InputError as Catalogue::algorithm().
 [[nodiscard]] const AlgorithmInfo& algorithm_named(const std::string& name, const std::vector<StudyCommand>& commands,

@@ -383,7 +383,9 @@ Study read_study(const std::string& path, const std::optional<std::string>& inst
   }
 }
 
-std::vector<StudyCommand> read_commands(const std::string& path) {
+std::vector<StudyCommand> read_commands(const std::optional<std::string>& study_file) {
+  if (!study_file) return {};
+  const std::string& path = *study_file;
   try {
     const toml::table root = toml::parse(read_file(path));
     Study study;

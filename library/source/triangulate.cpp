@@ -4,14 +4,14 @@
 #include <utility>
 
 #include "algorithms/proof_trace.h"
-#include "geometry/checker.h"
 #include "geometry/point_set.h"
 #include "geometry/weight.h"
 #include "harness/io/given_triangulation.h"
 #include "harness/io/proof_file.h"
 #include "harness/rating/quality.h"
+#include "harness/rating/rated_run.h"
 #include "harness/run/catalogue.h"
-#include "harness/run/machine/available_memory.h"
+#include "harness/run/execution.h"
 #include "library/source/conversion.h"
 #include "mwt/mwt.h"
 
@@ -19,44 +19,32 @@ namespace mwt::v1 {
 
 namespace {
 
-// Reading how much memory there is costs more than a small triangulation.
-constexpr std::size_t kMinForMemory = 5000;
-
-Context context_for(const Options& options, const AlgorithmInfo& algorithm, std::size_t n) {
-  Context context;
-  context.parameters = Parameters(algorithm.name, algorithm.parameters, options.parameters);
-  context.seed = options.seed;
-  context.threads = options.threads;
-  const std::optional<std::uint64_t> available = n >= kMinForMemory ? available_memory_bytes() : std::nullopt;
-  if (available) context.memory_bytes = *available / 10 * 9;
-  if (options.time_limit_s) {
-    const std::chrono::duration<double> limit(*options.time_limit_s);
-    context.deadline = Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(limit);
-  }
-  return context;
-}
-
 void require_usable(const Options& options) {
   if (options.threads < 1) throw InputError("threads must be at least 1");
   if (options.time_limit_s && !(*options.time_limit_s > 0)) throw InputError("time_limit_s must be more than 0");
 }
 
-// The triangulation is checked, and bounds above its weight are a bug: as the program does.
-Result result_of(const AlgorithmInfo& algorithm, const PointSet& set, Solution solution, double time_s) {
-  if (const auto violation = find_violation(set.points, solution.triangulation))
-    throw InternalError(algorithm.name + " returned no triangulation: " + violation->message);
-  const mwt::Interval own_weight = mwt::weight(set.points, solution.triangulation);
-  const WitnessedOptimum optimum = witnessed_optimum(solution.optimum, own_weight);
-  if (optimum.contradiction) throw InternalError(algorithm.name + " certified more than its own triangulation weighs");
+Request request_for(const Options& options, const AlgorithmInfo& algorithm) {
+  Request request;
+  request.algorithm = &algorithm;
+  request.parameters = Parameters(algorithm.name, algorithm.parameters, options.parameters);
+  request.seed = options.seed;
+  request.threads = options.threads;
+  request.time_limit_s = options.time_limit_s;
+  return request;
+}
+
+// A run that is not ok is a bug, as in the program.
+Result result_of(const RatedRun& run, const PointSet& set, std::vector<mwt::Triangle> triangles) {
+  if (run.status != RunStatus::ok) throw InternalError(run.message);
   Result result;
-  result.weight = outer_interval(own_weight);
-  if (optimum.interval) result.optimum = outer_interval(*optimum.interval);
-  result.is_proved = optimality_of(optimum.interval) == Optimality::proved;
-  if (solution.stop_reason) result.stop_reason = name_of(*solution.stop_reason);
-  result.counters = std::move(solution.counters);
-  result.time_s = time_s;
-  result.triangles = set.duplicates() == 0 ? std::move(solution.triangulation.triangles)
-                                           : to_input_indices(set, solution.triangulation.triangles);
+  result.weight = {run.weight_lower.value(), run.weight_upper.value()};
+  if (run.certified_lower) result.optimum = Interval{*run.certified_lower, result.weight.upper};
+  result.is_proved = run.optimality == name_of(Optimality::proved);
+  if (run.stop_reason) result.stop_reason = name_of(*run.stop_reason);
+  result.counters = {run.counters.begin(), run.counters.end()};
+  result.time_s = run.wall_time_s.value();
+  result.triangles = set.duplicates() == 0 ? std::move(triangles) : to_input_indices(set, triangles);
   return result;
 }
 
@@ -65,17 +53,21 @@ Result run(std::span<const Point> points, const Options& options, const std::str
   const Catalogue catalogue = Catalogue::built_in();
   const AlgorithmInfo& algorithm = catalogue.algorithm(options.algorithm);
   const PointSet set = make_point_set(inner_points(points), "the points");
-  Context context = context_for(options, algorithm, set.points.size());
+  Request request = request_for(options, algorithm);
   ProofTrace trace;
-  if (!proof_file.empty()) context.proof = &trace;
+  if (!proof_file.empty()) request.proof = &trace;
   const auto begin = Context::Clock::now();
-  Solution solution = algorithm.function(set.points, context);
-  const std::chrono::duration<double> elapsed = Context::Clock::now() - begin;
+  Execution execution = solve_unmeasured(request, set.points);
+  execution.wall_time_s = std::chrono::duration<double>(Context::Clock::now() - begin).count();
+  Solution& solution = execution.solution;
   if (!proof_file.empty()) {
     if (!trace.is_complete || !solution.optimum) throw InternalError(algorithm.name + " has no proof");
     static_cast<void>(write_proof(proof_file, set.points, trace, solution.triangulation, *solution.optimum));
   }
-  return result_of(algorithm, set, std::move(solution), elapsed.count());
+  RatedRun run = judged(algorithm, set.points, execution);
+  rate(run, run.certified_lower ? std::optional(mwt::Interval{*run.certified_lower, run.weight_upper.value()})
+                                : std::nullopt);
+  return result_of(run, set, std::move(solution.triangulation.triangles));
 }
 
 GivenSolution given(std::span<const Triangle> triangles) {

@@ -99,8 +99,7 @@ std::string described(const HuntResult& result) {
 
 int run_hunt(const HuntArguments& options) {
   const Catalogue catalogue = Catalogue::built_in();
-  const std::vector<StudyCommand> commands =
-      options.commands ? read_commands(*options.commands) : std::vector<StudyCommand>();
+  const std::vector<StudyCommand> commands = read_commands(options.commands);
   const HuntPlan plan = plan_of(options, algorithm_named(options.algorithm, commands, catalogue), catalogue);
   const std::string output = output_of(options);
   const std::string state_file = output + ".state";

@@ -229,8 +229,7 @@ void print(const SolveArguments& options, const SolveOutput& output) {
 
 int solve(const SolveArguments& options) {
   const Catalogue catalogue = Catalogue::built_in();
-  const std::vector<StudyCommand> commands =
-      options.commands ? read_commands(*options.commands) : std::vector<StudyCommand>();
+  const std::vector<StudyCommand> commands = read_commands(options.commands);
   const AlgorithmInfo& algorithm = algorithm_named(options.algorithm, commands, catalogue);
   const std::vector<Point> input = read_points(options.points, column_names(options.columns));
   const Instance instance = make_instance(input, source_name(options.points));

@@ -3,64 +3,22 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "harness/io/points/binary_number.h"
 #include "harness/io/points/point_formats.h"
 #include "harness/io/text/text.h"
 #include "harness/io/text/text_file.h"
 #include "harness/io/text/text_lines.h"
+#include "harness/io/text/word_rows.h"
 
 namespace mwt {
 
 namespace {
-
-// The words of the lines that are neither blank nor comments.
-class Rows {
- public:
-  Rows(const std::string& source, std::string_view text) : lines_(source, text) {}
-
-  bool next() {
-    while (lines_.next()) {
-      split_columns(lines_.line().substr(0, lines_.line().find('#')), ' ', words_);
-      std::erase_if(words_, [](std::string_view word) { return word.empty(); });
-      if (!words_.empty()) return true;
-    }
-    return false;
-  }
-
-  void require_next(const std::string& what) {
-    if (!next()) lines_.fail_as_a_whole("ends before " + what);
-  }
-
-  [[nodiscard]] const std::vector<std::string_view>& words() const { return words_; }
-
-  [[nodiscard]] double number(std::size_t place) const {
-    if (place >= words_.size())
-      lines_.fail(fmt::format("{} where there should be at least {}", counted(words_.size(), "number"), place + 1));
-    const std::optional<double> value = parse_number(words_[place]);
-    if (!value) lines_.fail(shown(words_[place]) + " is not a number");
-    if (!std::isfinite(*value)) lines_.fail(shown(words_[place]) + " is not a finite double; scale the data down");
-    return *value;
-  }
-
-  [[nodiscard]] std::size_t count(std::size_t place) const {
-    constexpr std::size_t kMax = kNoIndex;
-    const auto value = place < words_.size() ? parse_whole_number<std::size_t>(words_[place]) : std::nullopt;
-    if (!value || *value >= kMax) lines_.fail("no number of points where there should be one");
-    return *value;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const { lines_.fail(what); }
-
- private:
-  TextLines lines_;
-  std::vector<std::string_view> words_;
-};
 
 // Heights must agree: points of space are none of the plane.
 class Plane {
@@ -85,7 +43,7 @@ std::vector<Point> require_points(std::vector<Point> points, const std::string& 
 }
 
 // What follows the vertices must be as many rows as the header states: otherwise it may state too few vertices.
-void require_rest(Rows& rows, std::size_t expected, const std::string& source) {
+void require_rest(WordRows& rows, std::size_t expected, const std::string& source) {
   std::size_t rest = 0;
   while (rows.next()) ++rest;
   if (rest == expected) return;
@@ -93,39 +51,25 @@ void require_rest(Rows& rows, std::size_t expected, const std::string& source) {
       fmt::format("{}: {} after the vertices, where its header states {}", source, counted(rest, "line"), expected));
 }
 
-// The types of PLY: their names, and how many bytes they have.
-enum class Kind { whole, natural, real };
+// The types of PLY: their names, and how they are written.
 struct PlyType {
   std::array<std::string_view, 2> names;
+  NumberKind kind;
   std::size_t size;
-  Kind kind;
 };
-constexpr std::array<PlyType, 8> kPlyTypes = {{{{"char", "int8"}, 1, Kind::whole},
-                                               {{"uchar", "uint8"}, 1, Kind::natural},
-                                               {{"short", "int16"}, 2, Kind::whole},
-                                               {{"ushort", "uint16"}, 2, Kind::natural},
-                                               {{"int", "int32"}, 4, Kind::whole},
-                                               {{"uint", "uint32"}, 4, Kind::natural},
-                                               {{"float", "float32"}, 4, Kind::real},
-                                               {{"double", "float64"}, 8, Kind::real}}};
+constexpr std::array<PlyType, 8> kPlyTypes = {{{{"char", "int8"}, NumberKind::whole, 1},
+                                               {{"uchar", "uint8"}, NumberKind::natural, 1},
+                                               {{"short", "int16"}, NumberKind::whole, 2},
+                                               {{"ushort", "uint16"}, NumberKind::natural, 2},
+                                               {{"int", "int32"}, NumberKind::whole, 4},
+                                               {{"uint", "uint32"}, NumberKind::natural, 4},
+                                               {{"float", "float32"}, NumberKind::real, 4},
+                                               {{"double", "float64"}, NumberKind::real, 8}}};
 
 struct PlyProperty {
   std::string name;
   PlyType type;
 };
-
-double value_of(std::string_view bytes, const PlyType& type, bool is_big_endian) {
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < type.size; ++i) {
-    const auto byte = static_cast<unsigned char>(bytes[is_big_endian ? i : type.size - 1 - i]);
-    bits = bits << 8 | byte;
-  }
-  if (type.kind == Kind::real)
-    return type.size == 8 ? std::bit_cast<double>(bits) : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-  const std::uint64_t sign = std::uint64_t{1} << (8 * type.size - 1);
-  const bool is_negative = type.kind == Kind::whole && (bits & sign) != 0;
-  return is_negative ? -static_cast<double>(2 * sign - bits) : static_cast<double>(bits);
-}
 
 // The header of a PLY file, as far as its vertices go.
 class PlyHeader {
@@ -224,8 +168,9 @@ std::vector<Point> binary_vertices(const std::string& source, std::string_view d
   for (std::size_t v = 0; v < header.count(); ++v) {
     const auto coordinate = [&](std::size_t axis) {
       const std::size_t property = *header.axis(axis);
-      const double value = value_of(data.substr(v * size + place_of[property]), header.properties()[property].type,
-                                    header.is_big_endian());
+      const PlyType& type = header.properties()[property].type;
+      const NumberFormat format{type.kind, type.size, header.is_big_endian()};
+      const double value = value_of(bits_of(data.substr(v * size + place_of[property]), format), format);
       if (!std::isfinite(value))
         throw InputError(fmt::format("{}: vertex {} has a coordinate that is not finite", source, v));
       return value;
@@ -239,7 +184,7 @@ std::vector<Point> binary_vertices(const std::string& source, std::string_view d
 }  // namespace
 
 std::vector<Point> parse_off_points(const std::string& source, std::string_view text) {
-  Rows rows(source, text);
+  WordRows rows(source, text);
   rows.require_next("its counts");
   const std::string word = lower_case(rows.words().front());
   if (!word.ends_with("off")) rows.fail("does not begin with OFF");
@@ -264,7 +209,7 @@ std::vector<Point> parse_ply_points(const std::string& source, std::string_view 
   const std::string_view data = content.substr(header.data_at());
   if (!header.is_text()) return require_points(binary_vertices(source, data, header), source);
   const std::string text = as_plain_text(std::string(data), source);
-  Rows rows(source, text);
+  WordRows rows(source, text);
   std::vector<Point> points;
   Plane plane(source);
   while (points.size() < header.count()) {
@@ -281,7 +226,7 @@ std::vector<Point> parse_ply_points(const std::string& source, std::string_view 
 }
 
 std::vector<Point> parse_node_points(const std::string& source, std::string_view text) {
-  Rows rows(source, text);
+  WordRows rows(source, text);
   rows.require_next("its counts");
   const std::size_t count = rows.count(0);
   if (rows.words().size() < 2 || rows.words()[1] != "2")

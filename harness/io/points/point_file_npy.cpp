@@ -1,13 +1,13 @@
 // NumPy's format for one array, versions 1 to 3 (numpy.lib.format): n rows of two numbers.
 #include <fmt/core.h>
 
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "harness/io/points/binary_number.h"
 #include "harness/io/points/point_formats.h"
 #include "harness/io/text/text_lines.h"
 
@@ -17,9 +17,7 @@ namespace {
 
 // What the header states.
 struct Layout {
-  bool is_big_endian = false;
-  char kind = 'f';       // f: real, i: whole, u: natural
-  std::size_t size = 8;  // bytes of a number
+  NumberFormat format;
   bool is_by_column = false;
   std::size_t rows = 0;
   std::size_t data_at = 0;
@@ -68,9 +66,10 @@ class Header {
         (type[1] == 'f' ? *size == 4 || *size == 8
                         : (type[1] == 'i' || type[1] == 'u') && (*size == 1 || *size == 2 || *size == 4 || *size == 8));
     if (!is_known) fail("holds numbers of the type " + shown(type) + "; save float64, float32 or integers");
-    layout_.is_big_endian = type[0] == '>';
-    layout_.kind = type[1];
-    layout_.size = *size;
+    layout_.format = {type[1] == 'f'   ? NumberKind::real
+                      : type[1] == 'i' ? NumberKind::whole
+                                       : NumberKind::natural,
+                      *size, type[0] == '>'};
   }
 
   void read_shape(std::string_view value) {
@@ -81,8 +80,10 @@ class Header {
     const auto rows = parts.size() == 2 ? parse_whole_number<std::size_t>(parts[0]) : std::nullopt;
     if (!rows || parts[1] != "2")
       fail("its shape is " + shown(value.substr(0, end + 1)) + "; save an array of shape (n, 2)");
-    if (*rows >= kNoIndex || (content_.size() - layout_.data_at) / (2 * layout_.size) < *rows) fail("is cut off");
-    if (content_.size() - layout_.data_at != *rows * 2 * layout_.size) fail("has more data than its shape states");
+    if (*rows >= kNoIndex || (content_.size() - layout_.data_at) / (2 * layout_.format.size) < *rows)
+      fail("is cut off");
+    if (content_.size() - layout_.data_at != *rows * 2 * layout_.format.size)
+      fail("has more data than its shape states");
     layout_.rows = *rows;
   }
 
@@ -94,25 +95,18 @@ class Header {
   Layout layout_;
 };
 
-double number_at(std::string_view bytes, const Layout& layout, const std::string& source, std::size_t row) {
-  std::uint64_t bits = 0;
-  for (std::size_t i = 0; i < layout.size; ++i)
-    bits = bits << 8 | static_cast<unsigned char>(bytes[layout.is_big_endian ? i : layout.size - 1 - i]);
-  if (layout.kind == 'f') {
-    const double value =
-        layout.size == 8 ? std::bit_cast<double>(bits) : std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    if (!std::isfinite(value))
-      throw InputError(fmt::format("{}: row {} has a coordinate that is not finite", source, row));
-    return value;
-  }
-  const auto unused = static_cast<unsigned>(64 - 8 * layout.size);
-  const std::int64_t whole = static_cast<std::int64_t>(bits << unused) >> unused;
+// Integers must be exact as doubles.
+double number_at(std::string_view bytes, const NumberFormat& format, const std::string& source, std::size_t row) {
+  const std::uint64_t bits = bits_of(bytes, format);
+  const double value = value_of(bits, format);
+  if (!std::isfinite(value))
+    throw InputError(fmt::format("{}: row {} has a coordinate that is not finite", source, row));
+  const bool is_negative = format.kind == NumberKind::whole && signed_value(bits, format) < 0;
+  const std::uint64_t magnitude = is_negative ? 0 - static_cast<std::uint64_t>(signed_value(bits, format)) : bits;
   constexpr std::uint64_t kExact = std::uint64_t{1} << 53;
-  const bool is_negative = layout.kind == 'i' && whole < 0;
-  if ((is_negative ? 0 - static_cast<std::uint64_t>(whole) : bits) > kExact) {
+  if (format.kind != NumberKind::real && magnitude > kExact)
     throw InputError(fmt::format("{}: row {} has an integer beyond 2^53, which no double has exactly", source, row));
-  }
-  return is_negative ? static_cast<double>(whole) : static_cast<double>(bits);
+  return value;
 }
 
 }  // namespace
@@ -122,14 +116,14 @@ bool looks_like_npy(std::string_view content) { return content.starts_with("\x93
 std::vector<Point> parse_npy_points(const std::string& source, std::string_view content) {
   const Layout layout = Header(source, content).read();
   const std::string_view data = content.substr(layout.data_at);
-  const std::size_t step = layout.size;
+  const std::size_t step = layout.format.size;
   std::vector<Point> points;
   points.reserve(layout.rows);
   for (std::size_t row = 0; row < layout.rows; ++row) {
     const std::size_t x = layout.is_by_column ? row : 2 * row;
     const std::size_t y = layout.is_by_column ? layout.rows + row : 2 * row + 1;
-    points.push_back(
-        {number_at(data.substr(x * step), layout, source, row), number_at(data.substr(y * step), layout, source, row)});
+    points.push_back({number_at(data.substr(x * step), layout.format, source, row),
+                      number_at(data.substr(y * step), layout.format, source, row)});
   }
   if (points.empty()) throw InputError(source + ": this NumPy file has no rows");
   return points;

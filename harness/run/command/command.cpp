@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "base/error.h"
@@ -72,8 +73,12 @@ bool has_placeholder(const ExternalCommand& command, const std::string& name) {
 
 // Of a file of text, at most so many bytes from its end.
 std::string end_of(const std::string& file, std::size_t size) {
-  std::string content = std::filesystem::is_regular_file(file) ? read_file(file) : "";
-  if (content.size() > size) content.erase(0, content.size() - size);
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) return "";
+  const auto end = static_cast<std::size_t>(stream.tellg());
+  std::string content(std::min(end, size), '\0');
+  stream.seekg(static_cast<std::streamoff>(end - content.size()));
+  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
   return content;
 }
 

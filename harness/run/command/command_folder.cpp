@@ -1,15 +1,20 @@
 #include "harness/run/command/command_folder.h"
 
 #include <fmt/core.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 #include "base/error.h"
+#include "base/number_text.h"
 
 namespace mwt {
 
@@ -17,7 +22,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string prefix_of(pid_t process) { return fmt::format("mwt-command-{}-", process); }
+// Temporary files may be on a disk that several machines share.
+std::string prefix() {
+  std::array<char, 256> host{};
+  if (gethostname(host.data(), host.size() - 1) != 0) return "mwt-command-";
+  std::string name = host.data();
+  std::ranges::replace(name, '/', '_');
+  return "mwt-command-" + name + '-';
+}
+
+// The process that made a folder of this name, "PREFIX123-XXXXXX"; nothing if it is no such folder.
+std::optional<pid_t> maker_of(const std::string& name) {
+  const std::string begin = prefix();
+  if (!name.starts_with(begin)) return std::nullopt;
+  return parse_whole_number<int>(name.substr(begin.size(), name.find('-', begin.size()) - begin.size()));
+}
 
 void remove_folder(const fs::path& folder) {
   std::error_code ignored;
@@ -29,7 +48,7 @@ void remove_folder(const fs::path& folder) {
 CommandFolder::CommandFolder() {
   std::error_code error;
   const fs::path place = fs::temp_directory_path(error);
-  std::string name = (place / (prefix_of(getpid()) + "XXXXXX")).string();
+  std::string name = (place / fmt::format("{}{}-XXXXXX", prefix(), getpid())).string();
   if (error || mkdtemp(name.data()) == nullptr) {
     throw InputError(fmt::format("{}: cannot make a folder for the files of a command here: {}; set TMPDIR",
                                  place.string(), error ? error.message() : std::strerror(errno)));
@@ -39,15 +58,16 @@ CommandFolder::CommandFolder() {
 
 CommandFolder::~CommandFolder() { remove_folder(path_); }
 
-void remove_command_folders_of(pid_t process) {
+void remove_abandoned_command_folders() {
   std::error_code error;
-  const std::string prefix = prefix_of(process);
   for (fs::directory_iterator entry(fs::temp_directory_path(error), error), end; !error && entry != end;
        entry.increment(error)) {
+    const std::optional<pid_t> maker = maker_of(entry->path().filename().string());
+    if (!maker || kill(*maker, 0) == 0 || errno != ESRCH) continue;
     struct stat status {};
     const bool is_own =
         lstat(entry->path().c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid();
-    if (is_own && entry->path().filename().string().starts_with(prefix)) remove_folder(entry->path());
+    if (is_own) remove_folder(entry->path());
   }
 }
 

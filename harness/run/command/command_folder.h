@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include <sys/types.h>
-
 namespace mwt {
 
 /// Made in the system's folder for temporary files ($TMPDIR), readable by the user alone; removed with all that is in
@@ -22,7 +20,8 @@ class CommandFolder {
   std::string path_;
 };
 
-/// Removes the folders that a killed process left. Time: the folder of temporary files is read once.
-void remove_command_folders_of(pid_t process);
+/// Removes the folders that processes of this machine left when they were killed. Time: the folder of temporary files
+/// is read once.
+void remove_abandoned_command_folders();
 
 }  // namespace mwt

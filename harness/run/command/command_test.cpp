@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <thread>
@@ -66,11 +70,14 @@ std::string mistake(const std::function<void()>& work) {
   return "none";
 }
 
+// Those of this process.
 std::size_t command_folders() {
   std::size_t count = 0;
-  const std::string prefix = "mwt-command-" + std::to_string(getpid()) + '-';
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
-    count += entry.path().filename().string().starts_with(prefix) ? 1 : 0;
+  const std::string own = '-' + std::to_string(getpid()) + '-';
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path())) {
+    const std::string name = entry.path().filename().string();
+    count += name.starts_with("mwt-command-") && name.find(own) != std::string::npos ? 1 : 0;
+  }
   return count;
 }
 
@@ -191,6 +198,32 @@ TEST(ExternalCommands, LeaveNoChildrenBehind) {
     ASSERT_EQ(outcome.status, RunStatus::ok) << outcome.message;
     expect_gone(file);
   }
+}
+
+TEST(ExternalCommands, FoldersOfKilledProcessesAreRemoved) {
+  namespace fs = std::filesystem;
+  const pid_t child = fork();
+  if (child == 0) _exit(0);
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  const CommandFolder living;
+  EXPECT_EQ(command_folders(), 1u);
+  const fs::path own = fs::path(living.file("")).parent_path();
+  std::string name = own.filename().string();
+  const std::string number = '-' + std::to_string(getpid()) + '-';
+  const fs::path dead =
+      own.parent_path() / name.replace(name.rfind(number), number.size(), '-' + std::to_string(child) + '-');
+  fs::create_directory(dead);
+  write_text((dead / "points.txt").string(), "0 0\n");
+  remove_abandoned_command_folders();
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(own));
+}
+
+TEST(ExternalCommands, LongOutputIsReadFromItsEnd) {
+  const Outcome outcome = run_script(
+      "head -c 50000000 /dev/zero | tr '\\0' x; echo; echo '{\"time_s\": 2}'; printf '0,1,2\\n0,2,3\\n' > {triangles}");
+  ASSERT_EQ(outcome.status, RunStatus::ok) << outcome.message;
+  EXPECT_EQ(outcome.solution.counters.at("stated_time_s"), 2);
 }
 
 TEST(ExternalCommands, RunSideBySideInThreads) {
