@@ -15,7 +15,7 @@ void scale_up(ProofTrace& proof, int e) {
 
 }  // namespace
 
-Solution solve_scaled(Points points, Context& context, AlgorithmFunction solve) {
+Solution solve_scaled(Points points, Context& context, const AlgorithmFunction& solve) {
   const int e = exact_scale(points);
   if (e == 0) return solve(points, context);
   Solution solution = solve(exactly_scaled(points), context);

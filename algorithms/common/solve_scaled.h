@@ -11,6 +11,6 @@ namespace mwt {
 ///
 /// An exact solver that adds up lengths must be called this way: among denormals, where a length is a small multiple
 /// of 2^-1074, its best sum may belong to a triangulation that is a few percent too heavy.
-[[nodiscard]] Solution solve_scaled(Points points, Context& context, AlgorithmFunction solve);
+[[nodiscard]] Solution solve_scaled(Points points, Context& context, const AlgorithmFunction& solve);
 
 }  // namespace mwt
