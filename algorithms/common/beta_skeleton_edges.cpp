@@ -13,11 +13,11 @@ namespace {
 // cot(arcsin(1/beta)) = sqrt(2 sqrt 3) / 3 = 0.62040..., rounded up by far more than the rounding of angles.
 constexpr double kMinCotangent = 0.62041;
 
+}  // namespace
+
 bool is_surely_small(const Angle& angle) {
   return angle.real > kMinCotangent * angle.imaginary && is_trusted_product(size(angle));
 }
-
-}  // namespace
 
 void mark_beta_skeleton(PlanarMesh& delaunay) {
   for (MeshEdge e = 0; e < delaunay.edge_count(); ++e) {

@@ -1,6 +1,7 @@
 // Walls: edges that every minimum weight triangulation contains, so that searches need not look beyond them.
 #pragma once
 
+#include "geometry/mesh/angle.h"
 #include "geometry/mesh/planar_mesh.h"
 
 namespace mwt {
@@ -14,6 +15,12 @@ static_assert((kBetaSkeletonMark & kLastingMarks) != 0);
 /// the edges whose opposite angles are both at most arcsin(1/beta), about 58.19 degrees. Rounded towards no mark.
 /// Precondition: the mesh is a Delaunay triangulation. O(n).
 void mark_beta_skeleton(PlanarMesh& delaunay);
+
+/// Whether the angle is surely at most arcsin(1/beta). `angle` is not above 180 degrees. O(1).
+[[nodiscard]] bool is_surely_small(const Angle& angle);
+
+/// Points that see an edge at a larger angle are at most this multiple of its length from either end: beta, rounded up.
+inline constexpr double kMaxDistanceOfWitness = 1.18;
 
 /// Marks those edges of `mesh`, any triangulation of the same points, that are beta-skeleton edges in `delaunay`. O(n
 /// log n).

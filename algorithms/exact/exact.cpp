@@ -9,6 +9,7 @@
 #include <limits>
 #include <new>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "algorithms/common/lightest_heuristic.h"
@@ -23,6 +24,7 @@
 #include "algorithms/exact/candidates/lmt_skeleton.h"
 #include "algorithms/exact/division/certain_division.h"
 #include "algorithms/exact/face_proof.h"
+#include "algorithms/exact/faces/composite_vertices.h"
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/usable_threads.h"
@@ -136,15 +138,17 @@ class ExactSolver {
     test.reset();
     return_freed_memory();
     CandidateGraph graph = candidates_of(hull_edges, skeleton);
-    if (!is_connected(graph)) divide_in_time(hull_edges, skeleton, graph);
+    if (const std::vector<Index> composite = composite_vertices(graph); !composite.empty())
+      divide_in_time(composite, hull_edges, skeleton, graph);
     count(graph);
     return graph;
   }
 
   // The candidates before it do as well, unless what was deleted is in the proof.
-  void divide_in_time(const HullEdges& hull_edges, LmtSkeleton& skeleton, CandidateGraph& graph) {
+  void divide_in_time(std::span<const Index> composite, const HullEdges& hull_edges, LmtSkeleton& skeleton,
+                      CandidateGraph& graph) {
     try {
-      divide(hull_edges, skeleton, graph);
+      divide(composite, hull_edges, skeleton, graph);
     } catch (const SearchStopped&) {
       if (context_.proof != nullptr) throw;
     }
@@ -152,14 +156,16 @@ class ExactSolver {
 
   // Where points are left apart from others: faces with holes or isolated points cost more than looking for what ties
   // them together.
-  void divide(const HullEdges& hull_edges, LmtSkeleton& skeleton, CandidateGraph& graph) {
+  void divide(std::span<const Index> composite, const HullEdges& hull_edges, LmtSkeleton& skeleton,
+              CandidateGraph& graph) {
     report_stage("beta-skeleton", 0.85);
     {
       const ScopedPhase phase(context_, "beta_skeleton");
-      const std::size_t crossing = delete_what_crosses_beta_skeleton(graph, hull_edges, skeleton.stars, context_);
+      const std::size_t crossing =
+          delete_what_crosses_beta_skeleton(order_, composite, graph, hull_edges, skeleton.stars, context_);
       if (crossing > 0) graph = mark_certain_edges(order_.points, skeleton.stars, context_);
       counters_["edges_across_beta_skeleton"] = static_cast<double>(crossing);
-      if (is_connected(graph)) return;
+      if (composite_vertices(graph).empty()) return;
     }
     const ScopedPhase phase(context_, "lmt_again");
     const std::uint64_t deleted = examine_between_large_stars(skeleton.stars, order_, hull_edges, context_);
@@ -302,7 +308,7 @@ AlgorithmInfo exact_entry() {
       "Dickerson and Montague 1996; Beirouti and Snoeyink 1998";
   info.guarantee = "optimal, with a certified interval";
   info.time = "about O(n log n) on random input; exponential in the worst case (NP-hard)";
-  info.space = "about 320 bytes per point; 540 if certain edges do not connect all points";
+  info.space = "about 320 bytes per point; 380 if certain edges do not connect all points";
   info.exactness = Exactness::exact;
   info.has_proofs = true;
   info.max_n = 10'000'000;

@@ -1,12 +1,10 @@
 #include "algorithms/exact/division/certain_division.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "algorithms/exact/division/beta_skeleton.h"
 #include "algorithms/exact/division/crossing_candidates.h"
-#include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/proof_trace.h"
 
@@ -14,11 +12,24 @@ namespace mwt {
 
 namespace {
 
-std::vector<Edge> difference(const std::vector<Edge>& all, std::vector<Edge> without) {
-  std::sort(without.begin(), without.end());
-  std::vector<Edge> rest;
-  std::set_difference(all.begin(), all.end(), without.begin(), without.end(), std::back_inserter(rest));
-  return rest;
+bool is_certain(const CandidateGraph& graph, const Edge& edge) {
+  const auto star = graph.star(edge.a);
+  const auto place = std::find(star.begin(), star.end(), edge.b);
+  return place != star.end() &&
+         graph.certain[graph.first[edge.a] + static_cast<std::size_t>(place - star.begin())] != 0;
+}
+
+// The candidates that are not certain and have an end among `vertices`: a < b.
+std::vector<Edge> uncertain_candidates_at(std::span<const Index> vertices, const CandidateGraph& graph) {
+  std::vector<Edge> edges;
+  for (const Index v : vertices) {
+    for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
+      const Index w = graph.target[h];
+      const bool is_listed_at_w = w < v && std::binary_search(vertices.begin(), vertices.end(), w);
+      if (graph.certain[h] == 0 && !is_listed_at_w) edges.push_back(make_edge(v, w));
+    }
+  }
+  return edges;
 }
 
 // The edges of the beta-skeleton that others cross, those others, and what LMT deleted without them.
@@ -37,26 +48,15 @@ void note_division(std::vector<Edge> crossing, std::vector<Edge> crossed, std::v
 
 }  // namespace
 
-bool is_connected(const CandidateGraph& graph) {
-  DisjointSets components(graph.points.size());
-  std::size_t count = graph.points.size();
-  for (Index v = 0; v < graph.points.size(); ++v) {
-    for (std::uint32_t h = graph.first[v]; h < graph.first[v + std::size_t{1}]; ++h) {
-      const Index w = graph.target[h];
-      if (w < v || graph.certain[h] == 0 || components.find(v) == components.find(w)) continue;
-      components.unite(v, w);
-      --count;
-    }
-  }
-  return count == 1;
-}
-
-std::size_t delete_what_crosses_beta_skeleton(const CandidateGraph& graph, const HullEdges& hull, StarTable& stars,
+std::size_t delete_what_crosses_beta_skeleton(const KdOrder& order, std::span<const Index> vertices,
+                                              const CandidateGraph& graph, const HullEdges& hull, StarTable& stars,
                                               const Context& context) {
-  const std::vector<Edge> dividing = difference(beta_skeleton(graph.points), edges_marked(graph, 1));
+  std::vector<Edge> dividing = beta_skeleton_between(order, vertices);
+  std::erase_if(dividing, [&](const Edge& edge) { return is_certain(graph, edge); });
   const CandidateGraph division = make_candidate_graph(graph.points, dividing, dividing);
   std::vector<Edge> crossed, deleted;
-  auto crossing = find_crossing_candidates(division, edges_marked(graph, 0), context.deadline, &crossed);
+  auto crossing =
+      find_crossing_candidates(division, uncertain_candidates_at(vertices, graph), context.deadline, &crossed);
   if (!crossing) throw SearchStopped(StopReason::deadline, "the deadline passed while dividing by the beta-skeleton");
   std::vector<CandidatePair> pairs;
   for (const Edge& edge : *crossing) pairs.push_back({edge.a, edge.b});
