@@ -12,8 +12,8 @@ namespace {
 using test::message_of;
 using test::TestFolder;
 
-const std::vector<Triangle> kTriangles{{0, 1, 2}, {0, 2, 3}};
-const std::vector<Edge> kEdges{{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 2}};
+const std::vector<Triangle> kTwoTriangles{{0, 1, 2}, {0, 2, 3}};
+const std::vector<Edge> kFiveEdges{{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 2}};
 
 GivenSolution read(const std::string& name, const std::string& content) {
   const TestFolder folder;
@@ -27,7 +27,7 @@ TEST(SolutionFile, ReadsTriangles) {
                                       {"t.json", "{\"name\": 3, \"triangles\": [[0, 1, 2], [0, 2, 3]]}"},
                                       {"t.ele", "# Triangle\n2 3 0\n1 0 1 2\n2 0 2 3\n"}}) {
     const GivenSolution solution = read(name, content);
-    EXPECT_EQ(solution.triangles, kTriangles) << content;
+    EXPECT_EQ(solution.triangles, kTwoTriangles) << content;
     EXPECT_FALSE(solution.counts_from_one);
   }
 }
@@ -41,14 +41,14 @@ TEST(SolutionFile, ReadsEdges) {
                                        "{\"edges\": [{\"i\": 0, \"j\": 1}, {\"i\": 1, \"j\": 2}, {\"i\": 3, \"j\": 2}, "
                                        "{\"j\": 3, \"i\": 0}, {\"i\": 0, \"j\": "
                                        "2}]}"}})
-    EXPECT_EQ(read(name, content).edges, kEdges) << content;
+    EXPECT_EQ(read(name, content).edges, kFiveEdges) << content;
 }
 
 TEST(SolutionFile, MayCountFromOne) {
   const GivenSolution triangles = read("t.ele", "2 3 0\n1 1 2 3\n2 1 3 4\n");
   EXPECT_TRUE(triangles.counts_from_one);
-  EXPECT_EQ(triangles.triangles, kTriangles);
-  EXPECT_EQ(read("e.txt", "1 2\n2 3\n3 4\n4 1\n3 1\n").edges, kEdges);
+  EXPECT_EQ(triangles.triangles, kTwoTriangles);
+  EXPECT_EQ(read("e.txt", "1 2\n2 3\n3 4\n4 1\n3 1\n").edges, kFiveEdges);
   EXPECT_FALSE(read("t.txt", "1 2 3\n").counts_from_one) << "point 4 is no corner";
 }
 
@@ -77,7 +77,7 @@ TEST(SolutionFile, OfEdgesIsCheckedByTheTrianglesThatTheyBound) {
   const auto rule = [&](const std::vector<Edge>& edges) {
     return broken_rule(set, points, GivenSolution{{}, edges, false}).value_or("");
   };
-  EXPECT_EQ(rule(kEdges), "");
+  EXPECT_EQ(rule(kFiveEdges), "");
   EXPECT_EQ(rule({{0, 4}, {2, 4}, {2, 3}, {0, 3}, {0, 2}}), "");
   EXPECT_TRUE(rule({{0, 1}, {1, 2}, {2, 3}, {0, 3}}).starts_with("the triangles that the edges bound: "));
   EXPECT_EQ(rule({{1, 4}}), "edge 0 ends where it begins, at point 1");

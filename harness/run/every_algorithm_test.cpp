@@ -26,7 +26,7 @@ const std::vector<Index> kSizes = {3, 4, 5, 10, 100, 1000};
 // Exact algorithms may need for ever on some inputs: they must then return the best they have.
 constexpr auto kPatience = std::chrono::milliseconds(200);
 
-class EveryAlgorithm : public testing::TestWithParam<std::string> {};
+class EveryAlgorithm : public ::testing::TestWithParam<std::string> {};
 
 // The family's instance of n points; none if there is no such size or it is no point set (all collinear).
 std::vector<Point> instance(const GeneratorInfo& family, Index n) {
@@ -79,7 +79,7 @@ std::vector<std::string> names() {
   return result;
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryAlgorithm, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Registry, EveryAlgorithm, ::testing::ValuesIn(names()),
                          [](const auto& algorithm) { return algorithm.param; });
 
 }  // namespace

@@ -69,7 +69,7 @@ Study study_in(const TestFolder& folder, std::string text) {
   return read_study(folder.path("study.toml"));
 }
 
-std::string run(const Study& study, const std::string& out, bool resume = false) {
+std::string run_to(const Study& study, const std::string& out, bool resume = false) {
   std::ostringstream text;
   static_cast<void>(run_study(study, Catalogue::built_in(), {out, resume, 1, false}, text));
   return text.str();
@@ -79,7 +79,7 @@ TEST(CommandStudySlow, EveryKindOfProgramHasItsRows) {
   const TestFolder folder;
   std::filesystem::create_directory(folder.path("tmp"));
   const ScopedVariable temporary("TMPDIR", folder.path("tmp"));
-  run(study_in(folder, kPlanted), folder.path("out"));
+  run_to(study_in(folder, kPlanted), folder.path("out"));
   std::map<std::string, std::map<std::string, int>> statuses;
   for (const RunRecord& run : read_runs(folder.path("out"))) ++statuses[run.algorithm][to_text(run.status)];
   const std::map<std::string, std::string> expected = {{"greedy", "ok"},
@@ -115,7 +115,7 @@ algorithms = [
 TEST(CommandStudy, ExamplesWork) {
   const TestFolder folder;
   write_text(folder.path("own.sh"), "exec " + std::string(MWT_SOURCE_DIR) + "/library/examples/rivals/fan_sweep.sh\n");
-  const std::string printed = run(study_in(folder, kRivals), folder.path("out"));
+  const std::string printed = run_to(study_in(folder, kRivals), folder.path("out"));
   EXPECT_NE(printed.find("in_python: starting it takes "), std::string::npos) << printed;
   const std::vector<RunRecord> runs = read_runs(folder.path("out"));
   EXPECT_EQ(runs.size(), 10u);
@@ -144,12 +144,13 @@ algorithms = [{ name = "own", command = ["sh", "own.sh"] }]
 seek = false
 )";
   write_text(folder.path("own.sh"), script);
-  EXPECT_NE(run(study_in(folder, text), folder.path("out")).find("starting it takes"), std::string::npos);
-  const std::string resumed = run(study_in(folder, text), folder.path("out"), true);
+  EXPECT_NE(run_to(study_in(folder, text), folder.path("out")).find("starting it takes"), std::string::npos);
+  const std::string resumed = run_to(study_in(folder, text), folder.path("out"), true);
   EXPECT_EQ(resumed.find("starting it takes"), std::string::npos) << "nothing is left to run";
   EXPECT_EQ(read_runs(folder.path("out")).size(), 1u);
   write_text(folder.path("own.sh"), "# changed\n" + script);
-  EXPECT_THROW(run(study_in(folder, text), folder.path("out"), true), InputError) << "its runs are of another program";
+  EXPECT_THROW(run_to(study_in(folder, text), folder.path("out"), true), InputError)
+      << "its runs are of another program";
 }
 
 TEST(CommandStudy, AClaimedBoundIsNoMoreThanThat) {
@@ -165,7 +166,7 @@ algorithms = [
 [optimum]
 seek = false
 )");
-  run(study, folder.path("out"));
+  run_to(study, folder.path("out"));
   for (const RunRecord& run : read_runs(folder.path("out"))) {
     EXPECT_EQ(run.optimality, run.algorithm == "modest" ? "claimed" : "none");
     EXPECT_FALSE(run.alpha_upper);

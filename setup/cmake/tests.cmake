@@ -15,6 +15,9 @@ function(mwt_add_tests layer)
   target_link_libraries(${layer}_test PRIVATE ${ARGN} GTest::gtest_main)
   target_compile_definitions(${layer}_test PRIVATE MWT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_compile_options(${layer}_test PRIVATE ${test_flags} ${MWT_PRECOMPILED_HEADER_FLAGS})
+  if(MWT_UNITY_BUILD)
+    mwt_compile_folders_as_units(${layer}_test ${sources})
+  endif()
   # Most of what a test's source includes. Nothing else, so that no test compiles without its own includes.
   target_precompile_headers(${layer}_test PRIVATE <gtest/gtest.h>)
   gtest_discover_tests(${layer}_test TEST_PREFIX ${layer}. TEST_FILTER "-*Slow*" DISCOVERY_TIMEOUT 120

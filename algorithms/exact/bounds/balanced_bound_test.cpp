@@ -36,7 +36,7 @@ Interval hull_length(Points points, const FaceRegion& region) {
   return sum.enclosure();
 }
 
-void compare_with_optima(const std::vector<stage_testing::NamedInstance>& instances) {
+void expect_balanced_below_optima(const std::vector<stage_testing::NamedInstance>& instances) {
   double better = 0, count = 0;
   for (const auto& [name, points] : instances) {
     SCOPED_TRACE(name);
@@ -51,11 +51,11 @@ void compare_with_optima(const std::vector<stage_testing::NamedInstance>& instan
 }
 
 TEST(BalancedBound, IsBelowTheOptimumAndMostlyAboveTheBoundBySides) {
-  compare_with_optima(instances_of_all_families({5, 8, 11, 13}, 3));
+  expect_balanced_below_optima(instances_of_all_families({5, 8, 11, 13}, 3));
 }
 
 TEST(BalancedBoundSlow, IsBelowTheOptimumAndMostlyAboveTheBoundBySides) {
-  compare_with_optima(instances_of_all_families({6, 7, 9, 10, 12, 13}, 20));
+  expect_balanced_below_optima(instances_of_all_families({6, 7, 9, 10, 12, 13}, 20));
 }
 
 TEST(BalancedBound, IsExactWhereATriangulationHasNoChoice) {

@@ -12,10 +12,10 @@ namespace {
 using Vertices = std::vector<Index>;
 
 // A square with three points inside.
-const std::vector<Point> kPoints{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {8, 7}, {12, 13}, {13, 6}};
+const std::vector<Point> kSquareWithThree{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {8, 7}, {12, 13}, {13, 6}};
 
 Vertices composite_with(const std::set<Edge>& certain) {
-  return composite_vertices(naive::graph_with_certain(kPoints, certain));
+  return composite_vertices(naive::graph_with_certain(kSquareWithThree, certain));
 }
 
 TEST(CompositeVertices, AreThoseOfFacesWithHolesOrIsolatedVertices) {

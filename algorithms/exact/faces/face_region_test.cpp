@@ -12,8 +12,8 @@ namespace mwt {
 namespace {
 
 // A rectangle with seven points inside, in two groups.
-const std::vector<Point> kPoints{{0, 0},  {40, 0}, {40, 20}, {0, 20},  {8, 7}, {12, 13},
-                                 {13, 6}, {28, 6}, {33, 8},  {29, 14}, {30, 9}};
+const std::vector<Point> kRectangleWithPoints{{0, 0},  {40, 0}, {40, 20}, {0, 20},  {8, 7}, {12, 13},
+                                              {13, 6}, {28, 6}, {33, 8},  {29, 14}, {30, 9}};
 
 struct Faces {
   std::vector<Walk> walks;
@@ -65,7 +65,8 @@ TEST(FaceRegion, GroupsWhatLiesInOneFace) {
 void expect_fills(const FaceRegion& region, const std::vector<Triangle>& triangles, std::vector<Triangle> others) {
   EXPECT_EQ(triangles.size(), region.triangle_count());
   others.insert(others.end(), triangles.begin(), triangles.end());
-  const auto violation = find_violation(kPoints, {static_cast<Index>(kPoints.size()), others});
+  const auto violation =
+      find_violation(kRectangleWithPoints, {static_cast<Index>(kRectangleWithPoints.size()), others});
   EXPECT_FALSE(violation) << violation->message;
 }
 
@@ -80,24 +81,24 @@ TEST(FaceRegion, FillsAndBoundsRegionsOfAllKinds) {
       {{{4, 5}, {4, 6}, {5, 6}}, {{4, 6, 5}}},
       {{{0, 4}, {4, 5}, {4, 6}, {7, 8}}, {}},
       {{{7, 8}, {8, 9}, {7, 9}, {7, 10}, {8, 10}, {9, 10}, {2, 8}}, {{7, 8, 10}, {8, 9, 10}, {9, 7, 10}}}};
-  const double optimum = naive::SweptOptimum(kPoints).weight().lower;
+  const double optimum = naive::SweptOptimum(kRectangleWithPoints).weight().lower;
   for (const auto& [certain, finished] : cases) {
-    const CandidateGraph graph = naive::graph_with_certain(kPoints, certain);
+    const CandidateGraph graph = naive::graph_with_certain(kRectangleWithPoints, certain);
     const std::vector<FaceRegion> regions = regions_of(graph);
     ASSERT_EQ(regions.size(), 1);
     const FaceRegion& region = regions.front();
-    const RegionSolution unsolved = leave_unsolved(kPoints, region, StopReason::size, {});
+    const RegionSolution unsolved = leave_unsolved(kRectangleWithPoints, region, StopReason::size, {});
     expect_fills(region, unsolved.triangles, finished);
     EXPECT_FALSE(unsolved.solved);
-    const RegionSolution solved = solve_region(kPoints, region, {});
+    const RegionSolution solved = solve_region(kRectangleWithPoints, region, {});
     expect_fills(region, solved.triangles, finished);
     EXPECT_TRUE(solved.solved);
     EXPECT_LE(solved.diagonals.enclosure().lower, unsolved.diagonals.enclosure().upper);
     EXPECT_LE(unsolved.lower_bound, solved.lower_bound);
     EXPECT_LE(solved.lower_bound, solved.diagonals.enclosure().upper);
     EXPECT_GE(solved.lower_bound, (1 - 1e-12) * solved.diagonals.enclosure().lower);
-    const Interval whole = weight(kPoints, [&] {
-      Triangulation all{static_cast<Index>(kPoints.size()), solved.triangles};
+    const Interval whole = weight(kRectangleWithPoints, [&] {
+      Triangulation all{static_cast<Index>(kRectangleWithPoints.size()), solved.triangles};
       all.triangles.insert(all.triangles.end(), finished.begin(), finished.end());
       return all;
     }());
@@ -109,15 +110,15 @@ TEST(FaceRegion, FillsAndBoundsRegionsOfAllKinds) {
 }
 
 TEST(FaceRegion, DiagonalsAreCountedOnceAndBoundaryNever) {
-  const CandidateGraph graph = naive::graph_with_certain(kPoints, {{4, 5}});
+  const CandidateGraph graph = naive::graph_with_certain(kRectangleWithPoints, {{4, 5}});
   const FaceRegion region = regions_of(graph).front();
-  const std::vector<Triangle> triangles = fill_region(kPoints, region);
-  const Triangulation whole{static_cast<Index>(kPoints.size()), triangles};
-  LengthSum sum = diagonals_length(kPoints, region, triangles);
+  const std::vector<Triangle> triangles = fill_region(kRectangleWithPoints, region);
+  const Triangulation whole{static_cast<Index>(kRectangleWithPoints.size()), triangles};
+  LengthSum sum = diagonals_length(kRectangleWithPoints, region, triangles);
   for (const Edge& edge : {Edge{0, 1}, Edge{1, 2}, Edge{2, 3}, Edge{0, 3}, Edge{4, 5}}) {
-    sum.add(kPoints[edge.a], kPoints[edge.b]);
+    sum.add(kRectangleWithPoints[edge.a], kRectangleWithPoints[edge.b]);
   }
-  EXPECT_TRUE(overlap(sum.enclosure(), weight(kPoints, whole)));
+  EXPECT_TRUE(overlap(sum.enclosure(), weight(kRectangleWithPoints, whole)));
 }
 
 }  // namespace

@@ -14,14 +14,12 @@
 namespace mwt {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // What is left holds the optimum, what is certain belongs to it, and bounds hold. A bound may cut off an optimum only
 // if a triangulation of that length, up to rounding, is known.
 void expect_reduction_keeps_optimum(Points points) {
   const FaceRegion region = naive::region_of_hull(points);
   if (region.components < 2) return;
-  const auto reduced = reduce_region(points, region, kInfinity, {});
+  const auto reduced = reduce_region(points, region, std::numeric_limits<double>::infinity(), {});
   if (!reduced) return;
   const Triangulation optimum = solve_to_optimality("triangle_lp", points).triangulation;
   const Interval diagonals = diagonals_length(points, region, optimum.triangles).enclosure();
@@ -54,7 +52,7 @@ TEST(CutDuals, KeepChordsThatCostNothing) { expect_reduction_keeps_optimum(gener
 TEST(CutDuals, LeaveLittleOpenAmongIsolatedPoints) {
   const std::vector<Point> points = generate("uniform", 60, 1);
   const FaceRegion region = naive::region_of_hull(points);
-  const auto reduced = reduce_region(points, region, kInfinity, {});
+  const auto reduced = reduce_region(points, region, std::numeric_limits<double>::infinity(), {});
   ASSERT_TRUE(reduced);
   EXPECT_LT(reduced->candidates.size(), region.candidates.size());
   EXPECT_GT(reduced->lower_bound, 0.9 * reduced->reach);

@@ -34,7 +34,7 @@ Taken take(Points points, const std::vector<Edge>& constraints, const Context& c
 }
 
 // Returns how many edges were fixed.
-std::size_t expect_greedy(Points points, const std::string& what) {
+std::size_t expect_taken_ears_greedy(Points points, const std::string& what) {
   const std::vector<Edge> greedy = test::greedy_edges(points);
   std::size_t found = 0;
   for (const std::uint64_t one_in : {1000, 3}) {
@@ -47,7 +47,7 @@ std::size_t expect_greedy(Points points, const std::string& what) {
   return found;
 }
 
-TEST(CertainEars, AreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_greedy), 1000U); }
+TEST(CertainEars, AreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_taken_ears_greedy), 1000U); }
 
 // In convex position every edge is an ear of what the shorter ones leave.
 TEST(CertainEars, AreNearlyAllEdgesInConvexPosition) {

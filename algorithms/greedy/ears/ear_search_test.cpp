@@ -22,7 +22,7 @@ EarSite site_of(const FaceBoundary& boundary, Corner c) {
 }
 
 // Returns how many ears were certain.
-std::size_t expect_greedy(Points points, const std::string& what) {
+std::size_t expect_found_ears_greedy(Points points, const std::string& what) {
   const std::vector<Edge> greedy = test::greedy_edges(points);
   std::size_t certain = 0;
   for (const std::uint64_t one_in : {1000, 4, 2}) {
@@ -41,7 +41,7 @@ std::size_t expect_greedy(Points points, const std::string& what) {
   return certain;
 }
 
-TEST(EarSearch, CertainEarsAreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_greedy), 1000U); }
+TEST(EarSearch, CertainEarsAreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_found_ears_greedy), 1000U); }
 
 // On a circle nothing is nearer than the next points: the shortest of its ears is certain.
 TEST(EarSearch, FindsTheShortestEarOfACircle) {

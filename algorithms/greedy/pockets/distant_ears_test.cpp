@@ -31,7 +31,7 @@ TEST(DistantEars, ArePromisingWhereNothingIsNearTheBoundary) {
 }
 
 // Looks at all corners before the first is cut. Returns how many ears were certain.
-std::size_t expect_greedy(Points points, const std::string& what) {
+std::size_t expect_distant_ears_greedy(Points points, const std::string& what) {
   const std::vector<Edge> greedy = test::greedy_edges(points);
   const PlanarMesh mesh = test::constrained_mesh(points, test::some_of(greedy, 3, points.size()));
   const EdgeOrder order(mesh.points(), mesh.labels());
@@ -51,7 +51,7 @@ std::size_t expect_greedy(Points points, const std::string& what) {
   return certain;
 }
 
-TEST(DistantEars, AreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_greedy), 100U); }
+TEST(DistantEars, AreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_distant_ears_greedy), 100U); }
 
 }  // namespace
 

@@ -47,7 +47,7 @@ Taken take(Points points, bool fixes_certified, std::size_t stretch, const std::
 }
 
 // Returns how many ears were taken.
-std::size_t expect_greedy(Points points, const std::string& what) {
+std::size_t expect_pocket_ears_greedy(Points points, const std::string& what) {
   const std::vector<Edge> expected = test::greedy_edges(points);
   std::size_t ears = 0;
   for (const bool fixes_certified : {false, true}) {
@@ -79,21 +79,21 @@ std::vector<Point> make_curves(std::size_t n, std::uint64_t seed) {
   return make_point_set(points, "curves").points;
 }
 
-TEST(Pockets, EarsAreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_greedy), 100U); }
+TEST(Pockets, EarsAreGreedy) { EXPECT_GT(test::sum_over_instances(6, 60, expect_pocket_ears_greedy), 100U); }
 
 TEST(PocketsSlow, EarsAreGreedyOnManyInstances) {
-  EXPECT_GT(test::sum_over_instances(80, 120, expect_greedy), 10'000U);
+  EXPECT_GT(test::sum_over_instances(80, 120, expect_pocket_ears_greedy), 10'000U);
 }
 
 TEST(Pockets, EarsOfCurvesAreGreedy) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    EXPECT_GT(expect_greedy(make_curves(150, seed), "curves, seed " + std::to_string(seed)), 50U);
+    EXPECT_GT(expect_pocket_ears_greedy(make_curves(150, seed), "curves, seed " + std::to_string(seed)), 50U);
   }
 }
 
 TEST(PocketsSlow, EarsOfManyCurvesAreGreedy) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
-    EXPECT_GT(expect_greedy(make_curves(300, seed), "curves, seed " + std::to_string(seed)), 50U);
+    EXPECT_GT(expect_pocket_ears_greedy(make_curves(300, seed), "curves, seed " + std::to_string(seed)), 50U);
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 using test::message_of;
 using test::TestFolder;
 
-const std::vector<Point> kPoints{{1, 2}, {-0.5, 4.25}, {3, 0.25}, {7, 8}};
+const std::vector<Point> kFourPoints{{1, 2}, {-0.5, 4.25}, {3, 0.25}, {7, 8}};
 
 template <class Number>
 std::string bytes_of(Number value, bool is_big_endian = false) {
@@ -37,10 +37,10 @@ std::string npy(const std::string& descr, const std::string& shape, const std::s
 std::string npy_of_doubles(bool by_column = false, bool is_big_endian = false) {
   std::string data;
   if (by_column) {
-    for (const Point& p : kPoints) data += bytes_of(p.x, is_big_endian);
-    for (const Point& p : kPoints) data += bytes_of(p.y, is_big_endian);
+    for (const Point& p : kFourPoints) data += bytes_of(p.x, is_big_endian);
+    for (const Point& p : kFourPoints) data += bytes_of(p.y, is_big_endian);
   } else {
-    for (const Point& p : kPoints) data += bytes_of(p.x, is_big_endian) + bytes_of(p.y, is_big_endian);
+    for (const Point& p : kFourPoints) data += bytes_of(p.x, is_big_endian) + bytes_of(p.y, is_big_endian);
   }
   return npy(is_big_endian ? ">f8" : "<f8", "(4, 2)", data, by_column);
 }
@@ -50,7 +50,8 @@ std::string binary_ply() {
       "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty uchar red\nproperty double "
       "y\nproperty "
       "float z\nend_header\n";
-  for (const Point& p : kPoints) content += bytes_of(static_cast<float>(p.x)) + "r" + bytes_of(p.y) + bytes_of(1.5F);
+  for (const Point& p : kFourPoints)
+    content += bytes_of(static_cast<float>(p.x)) + "r" + bytes_of(p.y) + bytes_of(1.5F);
   return content;
 }
 
@@ -107,7 +108,7 @@ std::vector<Point> read(const std::string& name, const std::string& content,
   return read_points(folder.file(name, content), columns);
 }
 
-std::string error(const std::string& name, const std::string& content) {
+std::string refusal(const std::string& name, const std::string& content) {
   const TestFolder folder;
   const std::string path = folder.file(name, content);
   const std::string message = message_of<InputError>([&] { static_cast<void>(read_points(path)); });
@@ -115,14 +116,14 @@ std::string error(const std::string& name, const std::string& content) {
 }
 
 TEST(ForeignFormats, GiveTheSamePoints) {
-  for (const Example& example : examples()) EXPECT_EQ(read(example.name, example.content), kPoints) << example.name;
+  for (const Example& example : examples()) EXPECT_EQ(read(example.name, example.content), kFourPoints) << example.name;
 }
 
 TEST(ForeignFormats, AreRecognisedWithoutAnEnding) {
   for (const Example& example : examples()) {
     const std::string ending = example.name.substr(example.name.find('.'));
     if (ending == ".node") continue;  // like a table with another first row
-    EXPECT_EQ(read("points", example.content), kPoints) << example.name;
+    EXPECT_EQ(read("points", example.content), kFourPoints) << example.name;
   }
 }
 
@@ -132,15 +133,15 @@ TEST(ForeignFormats, IntegersAreExact) {
   EXPECT_EQ(read("p.npy", npy("<i2", "(2, 2)", data)), (std::vector<Point>{{1, -2}, {3, 127}}));
   EXPECT_EQ(read("p.npy", npy("|i1", "(1, 2)", "\x80\x7f")), (std::vector<Point>{{-128, 127}}));
   EXPECT_EQ(read("p.npy", npy("|u1", "(1, 2)", "\x80\x7f")), (std::vector<Point>{{128, 127}}));
-  EXPECT_EQ(error("p.npy", npy("<i8", "(1, 2)", bytes_of(std::int64_t{1}) + bytes_of((std::int64_t{1} << 53) + 1))),
+  EXPECT_EQ(refusal("p.npy", npy("<i8", "(1, 2)", bytes_of(std::int64_t{1}) + bytes_of((std::int64_t{1} << 53) + 1))),
             "p.npy: row 0 has an integer beyond 2^53, which no double has exactly");
 }
 
 TEST(ForeignFormats, ColumnsCanBeChosen) {
   const std::string table = "id;lon;lat;height\n9;1;2;0\n8;-0.5;4.25;0\n7;3;0.25;0\n6;7;8;0\n";
-  EXPECT_EQ(read("p.csv", table, ColumnNames{"Lon", "lat"}), kPoints);
-  EXPECT_EQ(read("p.csv", table, ColumnNames{"2", "3"}), kPoints);
-  EXPECT_EQ(read("p.txt", "5 1 2 a\n5 -0.5 4.25 b\n5 3 0.25 c\n5 7 8 d\n", ColumnNames{"2", "3"}), kPoints);
+  EXPECT_EQ(read("p.csv", table, ColumnNames{"Lon", "lat"}), kFourPoints);
+  EXPECT_EQ(read("p.csv", table, ColumnNames{"2", "3"}), kFourPoints);
+  EXPECT_EQ(read("p.txt", "5 1 2 a\n5 -0.5 4.25 b\n5 3 0.25 c\n5 7 8 d\n", ColumnNames{"2", "3"}), kFourPoints);
   const auto mistake = [&](const ColumnNames& columns) {
     return message_of<InputError>([&] { static_cast<void>(read("p.csv", table, columns)); });
   };
@@ -153,44 +154,46 @@ TEST(ForeignFormats, ColumnsCanBeChosen) {
 }
 
 TEST(ForeignFormats, RefusalsNameWhatWasFound) {
-  EXPECT_EQ(error("p.geojson", R"({"type": "LineString", "coordinates": [[1, 2], [3, 4]]})"),
+  EXPECT_EQ(refusal("p.geojson", R"({"type": "LineString", "coordinates": [[1, 2], [3, 4]]})"),
             "p.geojson: GeoJSON of type 'LineString' is no point; give Point and MultiPoint only");
-  EXPECT_EQ(error("p.geojson", R"({"type": "MultiPoint", "coordinates": [[1, 2], [3]]})"),
+  EXPECT_EQ(refusal("p.geojson", R"({"type": "MultiPoint", "coordinates": [[1, 2], [3]]})"),
             "p.geojson: point 1 of this GeoJSON is not two numbers: '[3]'");
-  EXPECT_EQ(error("p.geojson", R"({"type": "Point", "coordinates": [1, 2, 3]})"),
+  EXPECT_EQ(refusal("p.geojson", R"({"type": "Point", "coordinates": [1, 2, 3]})"),
             "p.geojson: point 0 of this GeoJSON is not two numbers: '[1,2,3]'");
-  EXPECT_EQ(error("p.wkt", "POLYGON ((1 2, 3 4, 5 6, 1 2))"),
+  EXPECT_EQ(refusal("p.wkt", "POLYGON ((1 2, 3 4, 5 6, 1 2))"),
             "p.wkt:1: 'POLYGON' where there should be POINT or MULTIPOINT; other geometries are no points");
-  EXPECT_EQ(error("p.wkt", "POINT Z (1 2 3)"), "p.wkt:1: 'Z': points of more than two coordinates; leave out z and m");
-  EXPECT_EQ(error("p.wkt", "POINT (1 2)\nPOINT (1 2 3)"),
+  EXPECT_EQ(refusal("p.wkt", "POINT Z (1 2 3)"),
+            "p.wkt:1: 'Z': points of more than two coordinates; leave out z and m");
+  EXPECT_EQ(refusal("p.wkt", "POINT (1 2)\nPOINT (1 2 3)"),
             "p.wkt:2: a point of more than two coordinates; leave out z and m");
-  EXPECT_EQ(error("p.wkt", "MULTIPOINT (1 2, 3 4"), "p.wkt:1: 'end of file' where there should be ')'");
-  EXPECT_EQ(error("p.off", "OFF\n2 0 0\n0 0 0\n1 1 3\n"),
+  EXPECT_EQ(refusal("p.wkt", "MULTIPOINT (1 2, 3 4"), "p.wkt:1: 'end of file' where there should be ')'");
+  EXPECT_EQ(refusal("p.off", "OFF\n2 0 0\n0 0 0\n1 1 3\n"),
             "p.off: vertex 1 has z = 3, others 0: no points of one plane; project them first");
-  EXPECT_EQ(error("p.off", "OFF\n3 0 0\n0 0 0\n1 1 0\n"), "p.off: ends before vertex 2 of 3");
-  EXPECT_EQ(error("p.off", "OFF\n1 0 0\n0 0 0\n1 1 0\n"),
+  EXPECT_EQ(refusal("p.off", "OFF\n3 0 0\n0 0 0\n1 1 0\n"), "p.off: ends before vertex 2 of 3");
+  EXPECT_EQ(refusal("p.off", "OFF\n1 0 0\n0 0 0\n1 1 0\n"),
             "p.off: 1 line after the vertices, where its header states 0");
-  EXPECT_EQ(error("p.node", "2 3 0 0\n1 0 0 0\n"),
+  EXPECT_EQ(refusal("p.node", "2 3 0 0\n1 0 0 0\n"),
             "p.node:1: its dimension is not 2; a .node file begins with 'POINTS 2 ATTRIBUTES MARKERS'");
-  EXPECT_EQ(error("p.node", "1 2 0 0\n1 0 0\n2 1 1\n"), "p.node:3: more than the 1 vertices of the first line");
-  EXPECT_EQ(error("p.npy", npy("<f8", "(2, 3)", std::string(48, '\0'))),
+  EXPECT_EQ(refusal("p.node", "1 2 0 0\n1 0 0\n2 1 1\n"), "p.node:3: more than the 1 vertices of the first line");
+  EXPECT_EQ(refusal("p.npy", npy("<f8", "(2, 3)", std::string(48, '\0'))),
             "p.npy: this NumPy file its shape is '(2, 3)'; save an array of shape (n, 2)");
-  EXPECT_EQ(error("p.npy", npy("<c16", "(1, 2)", std::string(32, '\0'))),
+  EXPECT_EQ(refusal("p.npy", npy("<c16", "(1, 2)", std::string(32, '\0'))),
             "p.npy: this NumPy file holds numbers of the type '<c16'; save float64, float32 or integers");
-  EXPECT_EQ(error("p.npy", npy("<f8", "(3, 2)", std::string(40, '\0'))), "p.npy: this NumPy file is cut off");
-  EXPECT_EQ(error("p.npy", npy("<f8", "(99999999999999999999, 2)", "")),
+  EXPECT_EQ(refusal("p.npy", npy("<f8", "(3, 2)", std::string(40, '\0'))), "p.npy: this NumPy file is cut off");
+  EXPECT_EQ(refusal("p.npy", npy("<f8", "(99999999999999999999, 2)", "")),
             "p.npy: this NumPy file its shape is '(99999999999999999999, 2)'; save an array of shape (n, 2)");
-  EXPECT_EQ(error("p.npy", "1 2\n"), "p.npy: is no NumPy file");
-  EXPECT_EQ(error("p.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
+  EXPECT_EQ(refusal("p.npy", "1 2\n"), "p.npy: is no NumPy file");
+  EXPECT_EQ(refusal("p.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n"),
             "p.ply: its vertices have no x and y");
-  EXPECT_EQ(error("p.ply", binary_ply().substr(0, 200)), "p.ply: a PLY file that ends before its last vertex");
-  EXPECT_EQ(error("p.ply", binary_ply() + "x"), "p.ply: a PLY file with more data than its header states");
+  EXPECT_EQ(refusal("p.ply", binary_ply().substr(0, 200)), "p.ply: a PLY file that ends before its last vertex");
+  EXPECT_EQ(refusal("p.ply", binary_ply() + "x"), "p.ply: a PLY file with more data than its header states");
 }
 
-// Points of `read` that kPoints lacks, and the other way round.
+// Points of `read` that kFourPoints lacks, and the other way round.
 std::size_t lost_points(const std::vector<Point>& read) {
-  return static_cast<std::size_t>(std::count_if(
-      kPoints.begin(), kPoints.end(), [&](const Point& p) { return std::ranges::find(read, p) == read.end(); }));
+  return static_cast<std::size_t>(std::count_if(kFourPoints.begin(), kFourPoints.end(), [&](const Point& p) {
+    return std::ranges::find(read, p) == read.end();
+  }));
 }
 
 // A change of one byte is refused, or changes one point at most.

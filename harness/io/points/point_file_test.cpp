@@ -20,7 +20,7 @@ using test::TestFolder;
 
 const std::vector<Point> kThreePoints{{1, 2}, {-0.5, 4e10}, {3, 0.25}};
 
-std::vector<Point> read(const std::string& name, const std::string& content) {
+std::vector<Point> read_as(const std::string& name, const std::string& content) {
   const TestFolder folder;
   return read_points(folder.file(name, content));
 }
@@ -36,32 +36,32 @@ std::string error(const std::string& name, const std::string& content) {
 }
 
 TEST(PointFileText, ReadsAllSeparators) {
-  EXPECT_EQ(read("p.txt", "1 2\n-0.5 4e10\n3 .25\n"), kThreePoints);
-  EXPECT_EQ(read("p.xy", "1\t2\n -0.5   4e10 \n+3 0.25"), kThreePoints);
-  EXPECT_EQ(read("p.csv", "1,2\n-0.5,4e10\n3,0.25\n"), kThreePoints);
-  EXPECT_EQ(read("p.CSV", "1, 2\n-0.5 ,4E+10\n3 , 0.25\n"), kThreePoints);
-  EXPECT_EQ(read("p.txt", "1;2\n-0.5; 4e10\n3;0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.txt", "1 2\n-0.5 4e10\n3 .25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.xy", "1\t2\n -0.5   4e10 \n+3 0.25"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "1,2\n-0.5,4e10\n3,0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.CSV", "1, 2\n-0.5 ,4E+10\n3 , 0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.txt", "1;2\n-0.5; 4e10\n3;0.25\n"), kThreePoints);
 }
 
 TEST(PointFileText, SkipsCommentsBlankLinesAndHeaders) {
-  EXPECT_EQ(read("p.csv", "# made by hand\n\nx,y\n1,2\n\n-0.5,4e10 # far\n  # inside\n3,0.25\n\n"), kThreePoints);
-  EXPECT_EQ(read("p.txt", "easting northing\n1 2\n-0.5 4e10\n3 0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "# made by hand\n\nx,y\n1,2\n\n-0.5,4e10 # far\n  # inside\n3,0.25\n\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.txt", "easting northing\n1 2\n-0.5 4e10\n3 0.25\n"), kThreePoints);
 }
 
 TEST(PointFileText, TakesForeignLineEndsAndByteOrderMarks) {
-  EXPECT_EQ(read("p.csv", "\xEF\xBB\xBFx,y\r\n1,2\r\n-0.5,4e10\r\n3,0.25\r\n"), kThreePoints);
-  EXPECT_EQ(read("p.csv",
-                 "\xEF\xBB\xBF"
-                 "1,2\r\n-0.5,4e10\r\n3,0.25"),
+  EXPECT_EQ(read_as("p.csv", "\xEF\xBB\xBFx,y\r\n1,2\r\n-0.5,4e10\r\n3,0.25\r\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv",
+                    "\xEF\xBB\xBF"
+                    "1,2\r\n-0.5,4e10\r\n3,0.25"),
             kThreePoints);
 }
 
 TEST(PointFileText, LeavesOutIdColumns) {
-  EXPECT_EQ(read("p.csv", "id,x,y\n7,1,2\n3,-0.5,4e10\n5,3,0.25\n"), kThreePoints);
-  EXPECT_EQ(read("p.csv", "\"Name\",\"Y\",\"X\"\nA,2,1\nB,4e10,-0.5\nC,0.25,3\n"), kThreePoints);
-  EXPECT_EQ(read("p.txt", "0 1 2\n1 -0.5 4e10\n2 3 0.25\n"), kThreePoints);
-  EXPECT_EQ(read("p.txt", "1 1 2\n2 -0.5 4e10\n3 3 0.25\n"), kThreePoints);
-  EXPECT_EQ(read("p.csv", "index,easting,northing\n0,1,2\n1,-0.5,4e10\n2,3,0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "id,x,y\n7,1,2\n3,-0.5,4e10\n5,3,0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "\"Name\",\"Y\",\"X\"\nA,2,1\nB,4e10,-0.5\nC,0.25,3\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.txt", "0 1 2\n1 -0.5 4e10\n2 3 0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.txt", "1 1 2\n2 -0.5 4e10\n3 3 0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "index,easting,northing\n0,1,2\n1,-0.5,4e10\n2,3,0.25\n"), kThreePoints);
 }
 
 TEST(PointFileText, NamesThePlaceOfEveryMistake) {
@@ -127,35 +127,35 @@ TEST(PointFileText, AHeaderThatNamesNeitherCoordinateMustLeaveNoDoubt) {
 
 TEST(PointFileText, ColumnsAreObeyedInAnyOrder) {
   const std::vector<Point> swapped{{2, 1}, {4e10, -0.5}, {0.25, 3}};
-  EXPECT_EQ(read("p.csv", "\xEF\xBB\xBF\xEF\xBB\xBFy,x\n1,2\n-0.5,4e10\n3,0.25\n"), swapped);
-  EXPECT_EQ(read("p.csv", "y [m],x [m]\n1,2\n-0.5,4e10\n3,0.25\n"), swapped);
-  EXPECT_EQ(read("p.csv", ",POINT_Y,POINT_X\na,1,2\nb,-0.5,4e10\nc,3,0.25\n"), swapped);
-  EXPECT_EQ(read("p.csv", "old x,x,y\n9,1,2\n9,-0.5,4e10\n9,3,0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "\xEF\xBB\xBF\xEF\xBB\xBFy,x\n1,2\n-0.5,4e10\n3,0.25\n"), swapped);
+  EXPECT_EQ(read_as("p.csv", "y [m],x [m]\n1,2\n-0.5,4e10\n3,0.25\n"), swapped);
+  EXPECT_EQ(read_as("p.csv", ",POINT_Y,POINT_X\na,1,2\nb,-0.5,4e10\nc,3,0.25\n"), swapped);
+  EXPECT_EQ(read_as("p.csv", "old x,x,y\n9,1,2\n9,-0.5,4e10\n9,3,0.25\n"), kThreePoints);
 }
 
 TEST(PointFileText, LinesWithTabsAreSplitAtTabs) {
   const std::string header = "site\tx\ty\n";
-  EXPECT_EQ(read("p.txt", header + "Route 66\t1\t2\nQuarry\t-0.5\t4e10\n\t3\t0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.txt", header + "Route 66\t1\t2\nQuarry\t-0.5\t4e10\n\t3\t0.25\n"), kThreePoints);
   EXPECT_EQ(error("p.txt", header + "Route 66\t\t3.5\nQuarry\t10\t2\nMill\t4\t9\n"),
             "p.txt:2: column 2 (x) is empty; write a number");
 }
 
 TEST(PointFileText, ReadsForeignEncodingsAndLineEnds) {
-  EXPECT_EQ(read("p.txt", "1 2\r-0.5 4e10\r3 0.25\r"), kThreePoints);
-  EXPECT_EQ(read("p.csv", "# old\rx,y\r1,2\r-0.5,4e10\r3,0.25"), kThreePoints);
+  EXPECT_EQ(read_as("p.txt", "1 2\r-0.5 4e10\r3 0.25\r"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "# old\rx,y\r1,2\r-0.5,4e10\r3,0.25"), kThreePoints);
   std::string wide = "\xFF\xFE";
   for (const char c : std::string("x;y\r\n1;2\r\n-0.5;4e10\r\n3;0.25\r\n")) (wide += c) += '\0';
-  EXPECT_EQ(read("p.csv", wide), kThreePoints);
-  EXPECT_EQ(read("p.csv", "sep=;\r\n\"x\";\"y\"\r\n\"1\";\"2\"\r\n-0.5;4e10\r\n3;0.25\r\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", wide), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "sep=;\r\n\"x\";\"y\"\r\n\"1\";\"2\"\r\n-0.5;4e10\r\n3;0.25\r\n"), kThreePoints);
   EXPECT_EQ(error("p.txt", "\x1F\x8B\x08" + std::string(3, '\0')),
             "p.txt: begins like gzip, but is damaged or cut off");
 }
 
 TEST(PointFileText, OtherFormatsAreReadWhateverTheNameOfATextFile) {
-  EXPECT_EQ(read("p.txt", R"({"points": [{"x": 1, "y": 2}, {"x": -0.5, "y": 4e10}, {"x": 3, "y": 0.25}]})"),
+  EXPECT_EQ(read_as("p.txt", R"({"points": [{"x": 1, "y": 2}, {"x": -0.5, "y": 4e10}, {"x": 3, "y": 0.25}]})"),
             kThreePoints);
-  EXPECT_EQ(read("p.csv", "name: three\nnode_coord_section\n1 1 2\n2 -0.5 4e10\n3 3 0.25\n"), kThreePoints);
-  EXPECT_EQ(read("p.txt", "cross_section x y\n1 1 2\n2 -0.5 4e10\n3 3 0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.csv", "name: three\nnode_coord_section\n1 1 2\n2 -0.5 4e10\n3 3 0.25\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.txt", "cross_section x y\n1 1 2\n2 -0.5 4e10\n3 3 0.25\n"), kThreePoints);
 }
 
 TEST(PointFileText, AnIdBelowAllIntegersIsNoSuccessor) {
@@ -193,34 +193,36 @@ TEST(PointFile, UnusableFiles) {
 
 TEST(PointFileTsplib, ReadsTheCommonSpellings) {
   EXPECT_EQ(
-      read("p.tsp",
-           "NAME : three\nCOMMENT : a comment: with a colon\nTYPE : TSP\nDIMENSION : 3\nEDGE_WEIGHT_TYPE : EUC_2D\n"
-           "NODE_COORD_SECTION\n1 1 2\n2 -0.5 4e10\n3 3 0.25\nEOF\n"),
+      read_as("p.tsp",
+              "NAME : three\nCOMMENT : a comment: with a colon\nTYPE : TSP\nDIMENSION : 3\nEDGE_WEIGHT_TYPE : EUC_2D\n"
+              "NODE_COORD_SECTION\n1 1 2\n2 -0.5 4e10\n3 3 0.25\nEOF\n"),
       kThreePoints);
-  EXPECT_EQ(read("p.tsp",
-                 "NAME: three\r\nDIMENSION: 3\r\nEDGE_WEIGHT_TYPE: CEIL_2D\r\nNODE_COORD_SECTION\r\n"
-                 "  1\t1.00000e+00 2.00000e+00\r\n  2 -5.0e-01 4.0e+10\r\n  3 3.0 .25\r\n"),
+  EXPECT_EQ(read_as("p.tsp",
+                    "NAME: three\r\nDIMENSION: 3\r\nEDGE_WEIGHT_TYPE: CEIL_2D\r\nNODE_COORD_SECTION\r\n"
+                    "  1\t1.00000e+00 2.00000e+00\r\n  2 -5.0e-01 4.0e+10\r\n  3 3.0 .25\r\n"),
             kThreePoints);
-  EXPECT_EQ(read("p.TSP", "Dimension 3\nnode_coord_section :\n10 1 2\n5 -0.5 4e10\n7 3 0.25\n-1\nEOF\n\n"),
+  EXPECT_EQ(read_as("p.TSP", "Dimension 3\nnode_coord_section :\n10 1 2\n5 -0.5 4e10\n7 3 0.25\n-1\nEOF\n\n"),
             kThreePoints);
 }
 
 TEST(PointFileTsplib, TakesGeographicCoordinatesAsTheyStand) {
   EXPECT_EQ(
-      read("p.tsp",
-           "EDGE_WEIGHT_TYPE : GEO\nNODE_COORD_SECTION\n1 1 2\n2 -0.5 4e10\n3 3 0.25\nDISPLAY_DATA_SECTION\n1 0 0\n"),
+      read_as(
+          "p.tsp",
+          "EDGE_WEIGHT_TYPE : GEO\nNODE_COORD_SECTION\n1 1 2\n2 -0.5 4e10\n3 3 0.25\nDISPLAY_DATA_SECTION\n1 0 0\n"),
       kThreePoints);
 }
 
 TEST(PointFileTsplib, ReadsDisplayCoordinatesIfThereAreNoOthers) {
   const std::string head = "DIMENSION: 3\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_SECTION\n0 1 2\n";
-  EXPECT_EQ(read("p.tsp", head + "DISPLAY_DATA_SECTION\n1 1 2\n2 -0.5 4e10\n3 3 0.25\nEOF\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.tsp", head + "DISPLAY_DATA_SECTION\n1 1 2\n2 -0.5 4e10\n3 3 0.25\nEOF\n"), kThreePoints);
   EXPECT_EQ(error("p.tsp", head + "DISPLAY_DATA_SECTION\n1 1 2\nEOF\n"),
             "p.tsp: DIMENSION is 3, but DISPLAY_DATA_SECTION has 1 points; correct one of them");
 }
 
 TEST(PointFileTsplib, NamesOfNodesDoNotEndTheSection) {
-  EXPECT_EQ(read("p.tsp", "NODE_COORD_SECTION\n1 1 2\nB -0.5 4e10\n\"c\" 3 0.25\nDEMAND_SECTION\n1 0\n"), kThreePoints);
+  EXPECT_EQ(read_as("p.tsp", "NODE_COORD_SECTION\n1 1 2\nB -0.5 4e10\n\"c\" 3 0.25\nDEMAND_SECTION\n1 0\n"),
+            kThreePoints);
   EXPECT_EQ(error("p.tsp", "NODE_COORD_SECTION\nA 0 0\nB 1 one\n"),
             "p.tsp:3: 'one' is not a number; write one such as 1.5 or 2e-3");
   EXPECT_EQ(error("p.tsp", "NODE_COORD_SECTION\n1 0 0\nNew York 1 1\n"),
@@ -257,10 +259,10 @@ TEST(PointFileTsplib, NamesThePlaceOfEveryMistake) {
 }
 
 TEST(PointFileJson, ReadsPointsAndIgnoresTheRest) {
-  EXPECT_EQ(read("p.json", R"({"points": [{"x": 1, "y": 2}, {"x": -0.5, "y": 40000000000}, {"x": 3, "y": 25e-2}]})"),
+  EXPECT_EQ(read_as("p.json", R"({"points": [{"x": 1, "y": 2}, {"x": -0.5, "y": 40000000000}, {"x": 3, "y": 25e-2}]})"),
             kThreePoints);
-  EXPECT_EQ(read("p.json",
-                 R"({"name": "CG:SHOP", "meta": {"points": [1, 2], "x": 3, "list": [[{"x": 1}], null, true]},
+  EXPECT_EQ(read_as("p.json",
+                    R"({"name": "CG:SHOP", "meta": {"points": [1, 2], "x": 3, "list": [[{"x": 1}], null, true]},
                      "points": [{"i": 0, "y": 2, "x": 1, "extra": {"x": 9, "y": [8]}}, {"x": -0.5, "y": 4e10},
                                 {"x": 3, "y": 0.25, "name": "c"}],
                      "edges": [{"x": 1}]})"),
@@ -309,7 +311,7 @@ TEST(PointFileJson, NamesThePlaceOfEveryMistake) {
 TEST(PointFileJson, DeepNestingIsNoDanger) {
   constexpr int kDepth = 1000000;
   const std::string nested = std::string(kDepth, '[') + std::string(kDepth, ']');
-  EXPECT_EQ(read("p.json", "{\"more\": " + nested + ", \"points\": [{\"x\": 1, \"y\": 2}]}").size(), 1U);
+  EXPECT_EQ(read_as("p.json", "{\"more\": " + nested + ", \"points\": [{\"x\": 1, \"y\": 2}]}").size(), 1U);
   EXPECT_TRUE(error("p.json", std::string(kDepth, '[')).starts_with("p.json: points[0] has an array for a coordinate"));
   EXPECT_TRUE(error("p.json", "{\"a\": " + std::string(kDepth, '[')).starts_with("p.json:1: no valid JSON at"));
 }

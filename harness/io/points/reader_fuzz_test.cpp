@@ -28,7 +28,7 @@ struct Sample {
   std::size_t first;
 };
 
-const std::vector<Point> kPoints{{0, 0}, {10.5, -0.25}, {1e-3, 7}, {-4, 3e2}, {8, 8.125}};
+const std::vector<Point> kFivePoints{{0, 0}, {10.5, -0.25}, {1e-3, 7}, {-4, 3e2}, {8, 8.125}};
 
 std::string number(double value) { return number_text(value); }
 
@@ -45,7 +45,7 @@ std::vector<Sample> point_samples() {
                                  {parse_tsplib_points, {"NAME: p", "DIMENSION: 5", "NODE_COORD_SECTION"}, 3},
                                  {parse_json_points, {"{\"points\": ["}, 1}};
   for (std::size_t i = 0; i < kRows; ++i) {
-    const std::string x = number(kPoints[i].x), y = number(kPoints[i].y), id = std::to_string(i + 1);
+    const std::string x = number(kFivePoints[i].x), y = number(kFivePoints[i].y), id = std::to_string(i + 1);
     const std::array rows = {x + ' ' + y,
                              x + ',' + y,
                              "no " + id + ';' + x + ';' + y,
@@ -129,13 +129,13 @@ std::string joined(const std::vector<std::string>& lines, const std::string& lin
 // Whether the undamaged rows are there, at both ends. The damaged line may be some points or none.
 bool keeps_undamaged(const std::vector<Point>& points, std::size_t before, std::size_t after) {
   return points.size() >= before + after &&
-         std::equal(kPoints.begin(), kPoints.begin() + static_cast<std::ptrdiff_t>(before), points.begin()) &&
-         std::equal(kPoints.rbegin(), kPoints.rbegin() + static_cast<std::ptrdiff_t>(after), points.rbegin());
+         std::equal(kFivePoints.begin(), kFivePoints.begin() + static_cast<std::ptrdiff_t>(before), points.begin()) &&
+         std::equal(kFivePoints.rbegin(), kFivePoints.rbegin() + static_cast<std::ptrdiff_t>(after), points.rbegin());
 }
 
 // A header may come to name y first.
 bool keeps_undamaged(std::vector<Point> points, const Sample& sample, std::size_t damaged_line) {
-  if (damaged_line >= sample.first + kRows) return points == kPoints;
+  if (damaged_line >= sample.first + kRows) return points == kFivePoints;
   if (damaged_line >= sample.first) {
     const std::size_t row = damaged_line - sample.first;
     return keeps_undamaged(points, row, kRows - row - 1);
@@ -145,7 +145,7 @@ bool keeps_undamaged(std::vector<Point> points, const Sample& sample, std::size_
   return keeps_undamaged(points, 0, kRows);
 }
 
-std::vector<Point> read(const Sample& sample, const std::string& text) {
+std::vector<Point> read_sample(const Sample& sample, const std::string& text) {
   return sample.parse("p", as_plain_text(text, "p"));
 }
 
@@ -165,7 +165,7 @@ void damage_point_files(std::uint64_t seed, int rounds) {
       lines[place] = damaged(lines[place], random);
       const std::string text = joined(lines, random() % 2 == 0 ? "\n" : "\r\n");
       try {
-        const std::vector<Point> points = read(sample, text);
+        const std::vector<Point> points = read_sample(sample, text);
         ++accepted;
         EXPECT_TRUE(keeps_undamaged(points, sample, place)) << text;
         for (const Point& p : points) EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y)) << text;
@@ -184,9 +184,9 @@ void truncate_point_files() {
     for (std::size_t size = 0; size < whole.size(); ++size) {
       const std::string text = whole.substr(0, size);
       try {
-        const std::vector<Point> points = read(sample, text);
+        const std::vector<Point> points = read_sample(sample, text);
         ASSERT_LE(points.size(), kRows);
-        for (std::size_t i = 0; i + 1 < points.size(); ++i) EXPECT_EQ(points[i], kPoints[i]) << text;
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) EXPECT_EQ(points[i], kFivePoints[i]) << text;
       } catch (const InputError& error) {
         expect_one_clear_line(error.what());
       }

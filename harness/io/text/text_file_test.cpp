@@ -18,7 +18,7 @@ std::string bytes(const char (&text)[kSize]) {
   return {text, kSize - 1};
 }
 
-std::string mistake(const std::string& content) {
+std::string mistake_in_file(const std::string& content) {
   return message_of<InputError>([&] { static_cast<void>(as_plain_text(content, "p.txt")); });
 }
 
@@ -46,29 +46,29 @@ TEST(TextFile, Utf16IsConverted) {
 
 TEST(TextFile, BrokenUtf16IsNamed) {
   const std::string message = "p.txt: begins like UTF-16 but is broken; save it as UTF-8";
-  EXPECT_EQ(mistake(bytes("\xFF\xFE"
-                          "1\0"
-                          "2")),
+  EXPECT_EQ(mistake_in_file(bytes("\xFF\xFE"
+                                  "1\0"
+                                  "2")),
             message)
       << "half a unit";
-  EXPECT_EQ(mistake(bytes("\xFF\xFE\x3D\xD8"
-                          "1\0")),
+  EXPECT_EQ(mistake_in_file(bytes("\xFF\xFE\x3D\xD8"
+                                  "1\0")),
             message)
       << "half a character";
-  EXPECT_EQ(mistake(bytes("\xFF\xFE\x00\xDE")), message) << "its other half";
+  EXPECT_EQ(mistake_in_file(bytes("\xFF\xFE\x00\xDE")), message) << "its other half";
 }
 
 TEST(TextFile, NulBytesAreNoText) {
   const std::string remedy =
       ": has a NUL byte, so it is no text, or UTF-16 without a byte order mark; save it as UTF-8";
-  EXPECT_EQ(mistake(bytes("1 2\n3 \0"
-                          "4\n")),
+  EXPECT_EQ(mistake_in_file(bytes("1 2\n3 \0"
+                                  "4\n")),
             "p.txt:2" + remedy);
-  EXPECT_EQ(mistake(bytes("1\0 \0"
-                          "2\0")),
+  EXPECT_EQ(mistake_in_file(bytes("1\0 \0"
+                                  "2\0")),
             "p.txt:1" + remedy);
-  EXPECT_EQ(mistake(bytes("\xFF\xFE\0\0"
-                          "1\0\0\0")),
+  EXPECT_EQ(mistake_in_file(bytes("\xFF\xFE\0\0"
+                                  "1\0\0\0")),
             "p.txt:1" + remedy)
       << "UTF-32";
 }
