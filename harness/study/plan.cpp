@@ -181,6 +181,14 @@ class Planner {
                              "\n");
     if (!instance.file_instance_id.empty()) key += '\n' + instance.file_instance_id;
     if (!known_instances_.insert(key).second) return;
+    const auto algorithms =
+        static_cast<std::size_t>(std::count_if(algorithms_.begin(), algorithms_.end(), [&](const auto& algorithm) {
+          return algorithm.takes(instance.generator);
+        }));
+    if (plan_.runs.size() + algorithms * static_cast<std::size_t>(study_.repetitions) > kMaxRuns) {
+      throw InputError(
+          fmt::format("study '{}' has more than {} runs; divide it into several studies", study_.name, kMaxRuns));
+    }
     plan_.instances.push_back(instance);
     for (int repetition = 0; repetition < study_.repetitions; ++repetition) add_repetition(key, repetition);
   }
@@ -199,10 +207,6 @@ class Planner {
       if (!algorithm.content_hash.empty()) run_key += '\n' + algorithm.content_hash;
       run.run_id = short_hash(run_key);
       if (known_runs_.insert(run.run_id).second) plan_.runs.push_back(std::move(run));
-    }
-    if (plan_.runs.size() > kMaxRuns) {
-      throw InputError(
-          fmt::format("study '{}' has more than {} runs; divide it into several studies", study_.name, kMaxRuns));
     }
     std::sort(plan_.runs.begin() + static_cast<std::ptrdiff_t>(begin), plan_.runs.end(),
               [](const PlannedRun& a, const PlannedRun& b) { return a.run_id < b.run_id; });
