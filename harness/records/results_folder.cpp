@@ -147,13 +147,13 @@ int lock_within_patience(int descriptor) {
 }  // namespace
 
 // The lock is on the folder itself: it leaves no file and ends with the process, however that ends.
-FolderLock::FolderLock(const std::string& folder) {
+FolderLock::FolderLock(const std::string& folder, FolderUse use) {
   make_folder(folder);
   descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ < 0) {
     throw InputError(folder + ": cannot be read: " + std::strerror(errno) + "; choose another folder with --out");
   }
-  const int reason = lock_within_patience(descriptor_);
+  const int reason = use == FolderUse::owned ? 0 : lock_within_patience(descriptor_);
   if (reason == 0) return;
   close(descriptor_);
   if (reason == EWOULDBLOCK) {
@@ -170,8 +170,8 @@ void FolderLock::sync() const { static_cast<void>(fsync(descriptor_)); }
 
 // Everything is looked at before anything is written.
 ResultsFolder::ResultsFolder(const std::string& path, const std::string& study, const std::string& study_file,
-                             bool resume)
-    : path_(path), lock_(path) {
+                             bool resume, FolderUse use)
+    : path_(path), lock_(path, use) {
   if (!resume) require_empty(path, "continue its study with --resume or choose another folder with --out");
   const bool has_study_file = require_this_study(path, study_file);
   const auto open_file = [&](const char* name, const CsvRow& header) {
@@ -302,8 +302,8 @@ StudyRecords read_records(const std::string& folder) {
   return records;
 }
 
-void write_records(const std::string& folder, const StudyRecords& records) {
-  const FolderLock lock(folder);
+void write_records(const std::string& folder, const StudyRecords& records, FolderUse use) {
+  const FolderLock lock(folder, use);
   require_empty(folder, "choose another folder");
   write_file_atomically(in_folder(folder, kStudyFile), records.study_file);
   write_file_of_records(folder, kEnvironments, environment_columns(), records.environments);

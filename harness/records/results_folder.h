@@ -10,11 +10,18 @@
 
 namespace mwt {
 
+/// Who may write to a folder.
+enum class FolderUse {
+  locked,  ///< whoever holds its lock
+  owned,   ///< one process that alone was given this folder; no lock is sought, for network file systems have none to
+           ///< rely on
+};
+
 /// While this object lives, no other process can lock the same folder.
 class FolderLock {
  public:
   /// Makes the folder if it is missing. Throws InputError: it cannot be made, or another process holds its lock.
-  explicit FolderLock(const std::string& folder);
+  explicit FolderLock(const std::string& folder, FolderUse use = FolderUse::locked);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
@@ -36,7 +43,8 @@ class FolderLock {
 class ResultsFolder {
  public:
   /// `study_file`: the content of the study file.
-  ResultsFolder(const std::string& path, const std::string& study, const std::string& study_file, bool resume);
+  ResultsFolder(const std::string& path, const std::string& study, const std::string& study_file, bool resume,
+                FolderUse use = FolderUse::locked);
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
 
@@ -90,6 +98,6 @@ struct StudyRecords {
 
 /// Makes a results folder; runs.csv last, so that none is half there. Throws InputError: it holds something already, or
 /// cannot be written.
-void write_records(const std::string& folder, const StudyRecords& records);
+void write_records(const std::string& folder, const StudyRecords& records, FolderUse use = FolderUse::locked);
 
 }  // namespace mwt

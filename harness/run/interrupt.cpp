@@ -6,23 +6,25 @@ namespace mwt {
 
 namespace {
 
-volatile std::sig_atomic_t interrupt_requested = 0;
+volatile std::sig_atomic_t interrupt_requested = 0;  // the number of the first signal
 
-extern "C" void request_interrupt(int) { interrupt_requested = 1; }
+extern "C" void request_interrupt(int signal_number) {
+  if (interrupt_requested == 0) interrupt_requested = signal_number;
+}
 
 }  // namespace
 
 InterruptWatch::InterruptWatch() {
   interrupt_requested = 0;
-  std::signal(SIGINT, request_interrupt);
-  std::signal(SIGTERM, request_interrupt);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal_number, request_interrupt);
 }
 
 InterruptWatch::~InterruptWatch() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal_number, SIG_DFL);
 }
 
 bool InterruptWatch::requested() { return interrupt_requested != 0; }
+
+bool InterruptWatch::requested_before_time_limit() { return interrupt_requested == SIGUSR1; }
 
 }  // namespace mwt

@@ -1,9 +1,10 @@
-// Ctrl-C and SIGTERM as a flag that loops read.
+// Ctrl-C, SIGTERM and SIGUSR1 as a flag that loops read.
 #pragma once
 
 namespace mwt {
 
-/// While one lives, SIGINT and SIGTERM only set a flag. One at a time.
+/// While one lives, SIGINT, SIGTERM and SIGUSR1 only set a flag. One at a time. Batch systems send SIGUSR1 before a
+/// time limit (harness/study/cluster/).
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -12,6 +13,9 @@ class InterruptWatch {
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 
   [[nodiscard]] static bool requested();
+
+  /// Whether SIGUSR1 requested it first.
+  [[nodiscard]] static bool requested_before_time_limit();
 };
 
 }  // namespace mwt

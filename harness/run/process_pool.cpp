@@ -100,7 +100,7 @@ Clock::duration duration_of(double seconds) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kExitWithoutResult);
-  for (const int signal_number : {SIGINT, SIGTERM, SIGPIPE}) std::signal(signal_number, SIG_DFL);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGUSR1, SIGPIPE}) std::signal(signal_number, SIG_DFL);
   const int nowhere = open("/dev/null", O_RDWR);
   dup2(nowhere, STDIN_FILENO);
   dup2(nowhere, STDOUT_FILENO);

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,15 @@ namespace mwt {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{200};
+
+// Whether an interrupt is requested now or within a moment. Batch systems send a signal to all processes of a job, in
+// any order: what has just failed may have failed for that, and is then left to --resume.
+bool is_interrupted_about_now() {
+  constexpr int kLooks = 10;
+  constexpr std::chrono::milliseconds kPause{10};
+  for (int look = 0; look < kLooks && !InterruptWatch::requested(); ++look) std::this_thread::sleep_for(kPause);
+  return InterruptWatch::requested();
+}
 
 // The ids of recorded points by label: a label stands for the same points whenever a run of it is recorded. Of points
 // with several labels only one has a row in instances.csv.
@@ -182,11 +192,15 @@ class PlanExecution {
                                  cache_,
                                  results_.lightest_of(instance->id),
                                  proof_file_for(*instance)};
-    seek_optimum(pool_, request, [this, position, instance](const FoundOptimum& found) {
-      record(plan_.instances[position], *instance, found);
-      for (const auto& [same_points, made] : std::exchange(waiting_[instance->id], {})) make_ready(same_points, made);
-      waiting_.erase(instance->id);
-    });
+    seek_optimum(
+        pool_, request, [this, position, instance, may_find = !request.sources.empty()](const FoundOptimum& found) {
+          const bool is_found = found.note.empty() && (!found.proof || found.proof->verdict != ProofVerdict::failed);
+          if (may_find && !is_found && !found.is_cached && is_interrupted_about_now()) return;
+          record(plan_.instances[position], *instance, found);
+          for (const auto& [same_points, made] : std::exchange(waiting_[instance->id], {}))
+            make_ready(same_points, made);
+          waiting_.erase(instance->id);
+        });
   }
 
   // Empty if the study asks for none.
@@ -228,7 +242,10 @@ class PlanExecution {
     }
     const Timing timing{context_.study.min_time_s, context_.study.measures_delaunay_time};
     start_isolated_run(pool_, request, *ready.instance, context_.study.limits, timing,
-                       [this, &run, instance_id](RatedRun ended) { record(run, instance_id, std::move(ended)); });
+                       [this, &run, instance_id](RatedRun ended) {
+                         if (is_failure(ended.status) && is_interrupted_about_now()) return;
+                         record(run, instance_id, std::move(ended));
+                       });
   }
 
   // Throws InputError: the given start is no triangulation of the instance.

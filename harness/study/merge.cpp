@@ -12,7 +12,6 @@
 #include "harness/io/text/text.h"
 #include "harness/records/known_optima.h"
 #include "harness/records/proof_folder.h"
-#include "harness/records/results_folder.h"
 #include "harness/study/plan.h"
 
 namespace mwt {
@@ -38,7 +37,7 @@ std::string label_of(const PlannedRun& run, const Plan& plan) {
 std::vector<Part> read_parts(const MergeOptions& options) {
   std::vector<Part> parts;
   for (const std::string& folder : options.folders) {
-    if (std::filesystem::exists(folder)) const FolderLock lock(folder);
+    if (std::filesystem::exists(folder)) const FolderLock lock(folder, options.folder_use);
     parts.push_back({folder, read_records(folder)});
   }
   return parts;
@@ -179,9 +178,10 @@ MergeOutcome merge_results(const MergeOptions& options, const Catalogue& catalog
   const std::vector<Part> parts = read_parts(options);
   require_one_study(parts);
   if (!options.accepts_other_build) require_one_commit(parts);
-  const Study study = read_study(options.folders.front() + "/study.toml", options.instance_folder);
+  const Study study =
+      read_study(options.study_path.value_or(options.folders.front() + "/study.toml"), options.instance_folder);
   MergedRecords merged = Merger(parts, make_plan(study, catalogue)).merge();
-  write_records(options.target, merged.records);
+  write_records(options.target, merged.records, options.folder_use);
   copy_proofs(options.folders, options.target, merged.records.instances);
   MergeOutcome outcome;
   outcome.runs = merged.records.runs.size();

@@ -69,4 +69,7 @@ struct Shard {
 /// shards; each shard gets its share of every size.
 [[nodiscard]] Plan part_of(const Plan& plan, const Shard& shard);
 
+/// The instances with these labels and all their runs, in the plan's order.
+[[nodiscard]] Plan part_of(const Plan& plan, const std::set<std::string>& labels);
+
 }  // namespace mwt

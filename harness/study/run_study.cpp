@@ -82,8 +82,9 @@ void announce_plan(const Study& study, const RunOptions& options, const Plan& pl
 StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
   static_cast<void>(optimum_sources_for(catalogue, study.optimum_sources, kNoIndex));  // before the folder is made
   const Plan whole = make_plan(study, catalogue);
-  const Plan plan = part_of(whole, options.shard);
-  ResultsFolder folder(options.folder, study.name, study.file_content, options.resume);
+  Plan plan = options.instances ? part_of(whole, *options.instances) : part_of(whole, options.shard);
+  if (options.only_optima) plan.runs.clear();
+  ResultsFolder folder(options.folder, study.name, study.file_content, options.resume, options.folder_use);
   const EnvironmentRecord environment = describe_environment(study.name, options.jobs, options.shard.text());
   require_unchanged_files(options.folder, plan, folder.instances());
   require_unchanged_files(options.folder, plan, folder.runs());

@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 
+#include "harness/records/results_folder.h"
 #include "harness/run/catalogue.h"
 #include "harness/study/plan.h"
 #include "harness/study/study.h"
@@ -20,6 +22,10 @@ struct RunOptions {
   std::optional<std::string>
       cache_folder{};  ///< where proved optima are kept (harness/rating/optimum_cache.h); none: nowhere
   Shard shard{};
+  std::optional<std::set<std::string>> instances{};  ///< labels of those that the shard consists of; without, they are
+                                                     ///< dealt out in turn (part_of())
+  bool only_optima = false;                          ///< whether runs are left to another call
+  FolderUse folder_use = FolderUse::locked;
   bool accepts_other_build = false;  ///< whether records of another build of this program may be continued
 };
 

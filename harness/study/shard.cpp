@@ -21,6 +21,23 @@ std::vector<std::size_t> by_size(const Plan& plan) {
   return order;
 }
 
+// The instances that are marked, with all their runs.
+Plan marked_part(const Plan& plan, const std::vector<bool>& is_ours) {
+  Plan part;
+  part.notes = plan.notes;
+  std::vector<std::size_t> new_position(plan.instances.size());
+  for (std::size_t i = 0; i < plan.instances.size(); ++i) {
+    new_position[i] = part.instances.size();
+    if (is_ours[i]) part.instances.push_back(plan.instances[i]);
+  }
+  for (const PlannedRun& run : plan.runs) {
+    if (!is_ours[run.instance]) continue;
+    part.runs.push_back(run);
+    part.runs.back().instance = new_position[run.instance];
+  }
+  return part;
+}
+
 }  // namespace
 
 std::string Shard::text() const { return count == 1 ? "" : fmt::format("{}/{}", number, count); }
@@ -40,19 +57,13 @@ Plan part_of(const Plan& plan, const Shard& shard) {
   const std::vector<std::size_t> order = by_size(plan);
   std::vector<bool> is_ours(plan.instances.size(), false);
   for (std::size_t rank = shard.number - 1; rank < order.size(); rank += shard.count) is_ours[order[rank]] = true;
-  Plan part;
-  part.notes = plan.notes;
-  std::vector<std::size_t> new_position(plan.instances.size());
-  for (std::size_t i = 0; i < plan.instances.size(); ++i) {
-    new_position[i] = part.instances.size();
-    if (is_ours[i]) part.instances.push_back(plan.instances[i]);
-  }
-  for (const PlannedRun& run : plan.runs) {
-    if (!is_ours[run.instance]) continue;
-    part.runs.push_back(run);
-    part.runs.back().instance = new_position[run.instance];
-  }
-  return part;
+  return marked_part(plan, is_ours);
+}
+
+Plan part_of(const Plan& plan, const std::set<std::string>& labels) {
+  std::vector<bool> is_ours;
+  for (const PlannedInstance& instance : plan.instances) is_ours.push_back(labels.contains(instance.label()));
+  return marked_part(plan, is_ours);
 }
 
 }  // namespace mwt

@@ -55,6 +55,13 @@ if(NOT MWT_SANITIZE)
                                           ${PROJECT_BINARY_DIR}/python)
   set_tests_properties(library.consumer library.python library.notebooks PROPERTIES LABELS library TIMEOUT 600 SKIP_RETURN_CODE 77)
 endif()
+# mwt cluster on a Slurm of the test's own; skipped, with the reason, where none can be started. Optimised builds only: what it tests is
+# processes and files.
+if(NOT MWT_SANITIZE)
+  set(cluster_tests ${PROJECT_SOURCE_DIR}/harness/study/cluster/testing)
+  add_test(NAME harness.cluster COMMAND ${cluster_tests}/with_slurm.sh 4 /usr/bin/python3 ${cluster_tests}/cluster_test.py $<TARGET_FILE:mwt>)
+  set_tests_properties(harness.cluster PROPERTIES LABELS slow TIMEOUT 3000 SKIP_RETURN_CODE 77)
+endif()
 # What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
 # Optimised builds only: sanitizers find nothing in Python.
 if(NOT MWT_SANITIZE)

@@ -14,6 +14,7 @@ namespace mwt {
 [[nodiscard]] Command convert_command();
 [[nodiscard]] Command run_command();
 [[nodiscard]] Command merge_command();
+[[nodiscard]] Command cluster_command();
 [[nodiscard]] Command report_command();
 [[nodiscard]] Command hunt_command();
 [[nodiscard]] Command compare_command();

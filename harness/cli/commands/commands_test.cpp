@@ -227,6 +227,14 @@ TEST_F(Commands, ListsFitTheirWidth) {
   EXPECT_GT(widest("x"), 200U);
 }
 
+// "cannot make absolute path" was an internal failure.
+TEST_F(Commands, AStudyFileOfTheCurrentFolderMayHaveCommands) {
+  write("own.toml",
+        "name = 'own'\nsummary = 's'\nfamilies = ['uniform']\nsizes = [10]\n"
+        "algorithms = [{ name = 'mine', command = ['sh', '-c', 'echo 0,1,2'] }]\n");
+  EXPECT_NE(run("run own.toml --dry-run").find("1 instances, 1 runs"), std::string::npos);
+}
+
 TEST_F(Commands, AClosedOrFullStandardOutputIsAMistake) {
   EXPECT_EQ(shell(MWT_EXECUTABLE " list generators >/dev/full 2>.err"), 2);
   EXPECT_TRUE(read(".err").starts_with("mwt: standard output")) << read(".err");

@@ -94,7 +94,7 @@ struct Launch {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != launch.parent) _exit(127);
   for (int stream = 0; stream < 3; ++stream) dup2(launch.streams[static_cast<std::size_t>(stream)], stream);
-  for (const int signal_number : {SIGINT, SIGTERM, SIGPIPE}) signal(signal_number, SIG_DFL);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGUSR1, SIGPIPE}) signal(signal_number, SIG_DFL);
   constexpr rlim_t kMaxFile = rlim_t{1} << 32;  // bytes: nobody's disk is to be full
   const rlimit file_size{kMaxFile, kMaxFile};
   setrlimit(RLIMIT_FSIZE, &file_size);

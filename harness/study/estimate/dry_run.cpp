@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <utility>
@@ -14,14 +12,13 @@
 #include "harness/rating/optimum_search.h"
 #include "harness/records/environment.h"
 #include "harness/study/estimate/estimate.h"
-#include "harness/study/estimate/past_times.h"
+#include "harness/study/estimate/observed_times.h"
 
 namespace mwt {
 
 namespace {
 
 constexpr std::size_t kMaxListed = 8;
-constexpr double kCalibrationTime = 8;  // s
 
 template <class Number>
 std::string listed(const std::set<Number>& numbers) {
@@ -117,19 +114,12 @@ std::string estimate_text(const DurationEstimate& estimate) {
 
 DurationEstimate estimate(const Study& study, const Catalogue& catalogue, const Plan& plan, const RunOptions& options,
                           std::ostream& out) {
-  TimeModel model;
   const EnvironmentRecord here = describe_environment(study.name, 1, "");
-  const std::string siblings = std::filesystem::path(options.folder).parent_path().string();
-  const PastTimes past =
-      add_past_times(model, {options.folder, siblings.empty() ? "." : siblings, "results"}, here, study.threads);
   const std::vector<PlannedWork> work = planned_work(study, catalogue, plan);
-  const auto begin = std::chrono::steady_clock::now();
-  const std::size_t measured = calibrate(model, study, plan, work, kCalibrationTime);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-  out << "estimated from " << past.runs << " recorded runs in " << past.folders << " folders of this machine and "
-      << measured << " runs made just now in " << readable_duration(elapsed.count()) << '\n';
+  const ObservedTimes times = observe_times(study, plan, work, options.folder, here);
+  out << times.text() << '\n';
   for (const std::string& warning : timing_warnings(here)) out << "warning: " << warning << '\n';
-  return estimate_duration(study, plan, work, model);
+  return estimate_duration(study, plan, work, times.model);
 }
 
 }  // namespace

@@ -45,6 +45,16 @@ struct DurationEstimate {
 [[nodiscard]] DurationEstimate estimate_duration(const Study& study, const Plan& plan,
                                                  const std::vector<PlannedWork>& work, const TimeModel& model);
 
+/// Likely seconds that the parts of one instance take.
+struct InstanceTime {
+  double search_s = 0;  ///< for its optimum
+  double runs_s = 0;
+};
+
+/// By position in Plan::instances.
+[[nodiscard]] std::vector<InstanceTime> estimate_instances(const Study& study, const Catalogue& catalogue,
+                                                           const Plan& plan, const TimeModel& model);
+
 /// Runs algorithms on the plan's smaller instances, one execution each in a process of its own, for about `budget_s`
 /// seconds, and adds their times: first every algorithm once, then where the estimate is least sure. Returns the number
 /// of runs.
