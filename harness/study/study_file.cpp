@@ -215,7 +215,7 @@ std::optional<ExternalCommand> read_command(TableReader& choice) {
   choice.for_each_element("command",
                           [&](const toml::node& node) { command.words.push_back(choice.text_of(node, "command")); });
   const toml::node* const folder = choice.find("folder");
-  const fs::path here = fs::absolute(fs::path(choice.file()).parent_path());
+  const fs::path here = fs::absolute(choice.file()).parent_path();
   command.folder = (here / (folder == nullptr ? "." : choice.text_of(*folder, "folder"))).lexically_normal().string();
   if (const toml::node* const format = choice.find("points")) command.points_format = choice.text_of(*format, "points");
   if (const toml::node* const node = choice.find("environment")) {

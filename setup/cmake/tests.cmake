@@ -50,6 +50,8 @@ if(NOT MWT_SANITIZE)
   add_test(NAME library.python COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/library/python/mwt_test.py ${PROJECT_BINARY_DIR}/python)
   add_test(NAME library.notebooks COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/library/examples/notebooks/notebook_test.py
                                           ${PROJECT_BINARY_DIR}/python)
+  add_test(NAME library.packages COMMAND ${PROJECT_SOURCE_DIR}/setup/packaging/package_test.sh ${PROJECT_BINARY_DIR})
+  set_tests_properties(library.packages PROPERTIES LABELS slow TIMEOUT 900 RUN_SERIAL ON)
   set_tests_properties(library.consumer library.python library.notebooks PROPERTIES LABELS library TIMEOUT 600 SKIP_RETURN_CODE 77)
 endif()
 # What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
