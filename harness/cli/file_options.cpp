@@ -53,7 +53,7 @@ std::optional<OutputOption> output_to_standard_output(std::span<const OutputOpti
 }
 
 void declare_columns(CommandOptions& declared, std::optional<std::string>& columns) {
-  declared.option("--columns", columns,
+  declared.option("--columns", columns, ValueKind{"X,Y"},
                   "in a table, the columns of x and y: names in its header or places from 1, as in lon,lat or 3,4");
 }
 

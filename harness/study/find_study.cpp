@@ -14,13 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where the project's studies are: beside the sources that this program was built from, or, if these have been moved
-// together with their build directory, at the same place relative to the program.
+// Where the project's studies are: those that are installed with this program; else those beside the sources that it
+// was built from; else, if these have been moved together with their build directory, at the same place relative to the
+// program.
 fs::path studies_folder() {
-  const fs::path from_sources = fs::path(source_folder()) / "harness" / "studies";
   std::error_code ignored;
-  if (fs::is_directory(from_sources, ignored)) return from_sources;
-  return fs::read_symlink("/proc/self/exe", ignored).parent_path() / "../../harness/studies";
+  const fs::path folder_of_program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  const fs::path installed = folder_of_program.parent_path() / "share" / "mwt" / "harness" / "studies";
+  const fs::path from_sources = fs::path(source_folder()) / "harness" / "studies";
+  for (const fs::path& folder : {installed, from_sources}) {
+    if (fs::is_directory(folder, ignored)) return folder;
+  }
+  return folder_of_program / "../../harness/studies";
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ if(NOT MWT_SANITIZE)
   add_test(NAME library.python COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/library/python/mwt_test.py ${PROJECT_BINARY_DIR}/python)
   add_test(NAME library.notebooks COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/library/examples/notebooks/notebook_test.py
                                           ${PROJECT_BINARY_DIR}/python)
+  add_test(NAME library.packages COMMAND ${PROJECT_SOURCE_DIR}/setup/packaging/package_test.sh ${PROJECT_BINARY_DIR})
+  set_tests_properties(library.packages PROPERTIES LABELS slow TIMEOUT 900 RUN_SERIAL ON)
   set_tests_properties(library.consumer library.python library.notebooks PROPERTIES LABELS library TIMEOUT 600 SKIP_RETURN_CODE 77)
 endif()
 # mwt cluster on a Slurm of the test's own; skipped, with the reason, where none can be started. Optimised builds only: what it tests is

@@ -43,8 +43,8 @@ int check_triangulation(const CheckArguments& options) {
 Command check_command() {
   const auto options = std::make_shared<CheckArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("points", options->points, "point file; - for stdin");
-    declared.argument("triangles", options->triangles,
+    declared.argument("points", options->points, kFile, "point file; - for stdin");
+    declared.argument("triangles", options->triangles, kFile,
                       "triangles or edges: positions in the point file, from 0 or 1, as a table, JSON or .ele");
     declare_columns(declared, options->columns);
   };

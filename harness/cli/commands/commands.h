@@ -21,4 +21,8 @@ namespace mwt {
 [[nodiscard]] Command track_command();
 [[nodiscard]] Command history_command();
 
+/// These describe all commands, themselves included: `commands` has to outlive the command, and may grow until it runs.
+[[nodiscard]] Command completion_command(const std::vector<Command>& commands);
+[[nodiscard]] Command manual_command(const std::vector<Command>& commands);
+
 }  // namespace mwt

@@ -22,7 +22,7 @@ TEST_F(Commands, MistakesOnTheCommandLine) {
   expect_mistake(
       "sovle x",
       "unknown command 'sovle'; known: list, generate, solve, check, draw, convert, run, merge, report, compare, "
-      "track, history, hunt");
+      "track, history, hunt, completion, manual");
   expect_mistake("generate", "family is required");
   expect_mistake("generate uniform --n ten -o p.txt", "--n");
   expect_mistake("generate uniform --n -5 -o p.txt", "--n");

@@ -125,26 +125,27 @@ int run(const CompareArguments& options) {
 Command compare_command() {
   const auto options = std::make_shared<CompareArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.optional_arguments("dir", options->folders, "BASE NEW: two folders of results");
-    declared.option("--build-a", options->build_a,
+    declared.optional_arguments("dir", options->folders, kFolder, "BASE NEW: two folders of results");
+    declared.option("--build-a", options->build_a, kFolder,
                     "folder of the base build; runs both builds in turn. With BASE NEW: only what these leave open");
-    declared.option("--build-b", options->build_b, "folder of the new build");
-    declared.option("--study", options->study, "with builds: the study to run");
-    declared.repeated("--algorithm", options->algorithms,
+    declared.option("--build-b", options->build_b, kFolder, "folder of the new build");
+    declared.option("--study", options->study, study_kind(), "with builds: the study to run");
+    declared.repeated("--algorithm", options->algorithms, algorithm_kind(),
                       "with builds: run only this algorithm of the study; may be repeated");
-    declared.option("--out", options->folder,
+    declared.option("--out", options->folder, kFolder,
                     "with builds: folder for the results; results/compare-STUDY if not given");
     declared.positive("--repetitions", options->repetitions,
                       "with builds: pairs of runs per cell; with BASE NEW up to three times as many for unclear cells");
     declared.positive("--budget", options->budget_s, "with builds: start no repetition after this many seconds");
     declared.option("--seed", options->seed, "with builds: seed of the random order");
     declared.positive("--threshold", options->threshold, "smallest difference that counts, in percent; 5 if not given");
-    declared.option("--measure", options->measure, "time to compare: relative_time, wall_time_s or cpu_time_s");
+    declared.option("--measure", options->measure, one_of("MEASURE", {"relative_time", "wall_time_s", "cpu_time_s"}),
+                    "time to compare: relative_time, wall_time_s or cpu_time_s");
     declared.flag("--paired", options->paired, "the folders come from --build-a and --build-b");
     declared.flag("--force", options->force, "compare times of different machines and of identical binaries, too");
     declared.flag("--json", options->json, "print one JSON object");
     declared.flag("--markdown", options->markdown, "print Markdown");
-    declared.option("--verdict", options->verdict, "also write the JSON object to this file");
+    declared.option("--verdict", options->verdict, kFile, "also write the JSON object to this file");
     declared.flag("--all", options->every_cell, "list the times of every cell");
   };
   return {"compare", "Compare two results, or two builds run in turn; exit 1 on a regression", declare,

@@ -31,8 +31,8 @@ int convert(const ConvertArguments& options) {
 Command convert_command() {
   const auto options = std::make_shared<ConvertArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("input", options->input, "point file of any known format, also compressed; - for stdin");
-    declared.argument("output", options->output,
+    declared.argument("input", options->input, kFile, "point file of any known format, also compressed; - for stdin");
+    declared.argument("output", options->output, kFile,
                       "point file by its ending (.txt .xy .csv .tsv .tsp .json); - for stdout");
     declare_columns(declared, options->columns);
   };

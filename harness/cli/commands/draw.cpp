@@ -103,13 +103,14 @@ int draw(const DrawArguments& options) {
 Command draw_command() {
   const auto options = std::make_shared<DrawArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("points", options->points, "point file; - for stdin");
-    declared.argument("triangles", options->triangles, "triangle file: three positions in the point file per line");
+    declared.argument("points", options->points, kFile, "point file; - for stdin");
+    declared.argument("triangles", options->triangles, kFile,
+                      "triangle file: three positions in the point file per line");
     declared.optional_argument(
-        "other", options->other,
+        "other", options->other, kFile,
         "another triangle file to compare with, drawn underneath; edges that it lacks are orange");
     declare_columns(declared, options->columns);
-    declared.required("-o,--output", options->output, "picture to write (.svg); - for stdout");
+    declared.required("-o,--output", options->output, kFile, "picture to write (.svg); - for stdout");
     declared.flag("--labels", options->labels, "number the points even if they are more than 50");
     declared.positive("--width", options->width_px, "of the picture in pixels");
   };

@@ -36,11 +36,12 @@ int generate_points(const GenerateArguments& options) {
 Command generate_command() {
   const auto options = std::make_shared<GenerateArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("family", options->family, "name of a family (mwt list generators)");
+    declared.argument("family", options->family, family_kind(), "name of a family (mwt list generators)");
     declared.option("--n", options->n, "number of points; not needed for a named instance");
     declared.option("--seed", options->seed, "seed of the pseudo-random numbers");
-    declared.repeated("--param", options->parameters, "a parameter of the family, k=v; may be repeated");
-    declared.required("-o,--output", options->output,
+    declared.repeated("--param", options->parameters, ValueKind{"NAME=VALUE"},
+                      "a parameter of the family, k=v; may be repeated");
+    declared.required("-o,--output", options->output, kFile,
                       "point file by its ending (.txt .xy .csv .tsp .json); - for stdout");
   };
   return {"generate", "Write an instance of a family to a point file", declare,

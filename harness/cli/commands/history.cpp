@@ -67,10 +67,10 @@ Command history_command() {
   const auto options = std::make_shared<HistoryArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument(
-        "action", options->action,
+        "action", options->action, one_of("ACTION", {"export", "changes", "series"}),
         "export: all values; changes: which measures changed, when, by how much; series: both, for a dashboard");
-    declared.option("--history", options->history, kHistoryHelp);
-    declared.option("-o,--output", options->output, "write to this file instead of standard output");
+    declared.option("--history", options->history, kFile, kHistoryHelp);
+    declared.option("-o,--output", options->output, kFile, "write to this file instead of standard output");
     declared.flag("--csv", options->csv, "with export: CSV, one row per nightly run, cell and measure");
     declared.flag("--json", options->json, "with changes and series: print JSON");
     declared.positive("--min-change", options->min_change,

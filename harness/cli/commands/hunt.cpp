@@ -130,20 +130,21 @@ int run_hunt(const HuntArguments& options) {
 Command hunt_command() {
   const auto options = std::make_shared<HuntArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.required("--algorithm", options->algorithm, "name of the algorithm");
-    declared.option("--commands", options->commands,
+    declared.required("--algorithm", options->algorithm, algorithm_kind(), "name of the algorithm");
+    declared.option("--commands", options->commands, kFile,
                     "study file (TOML) whose commands --algorithm may name, too: programs of your own");
     declared.option("--n", options->n, "number of points, at least 4");
-    declared.repeated("--param", options->parameters, "a parameter of the algorithm, k=v; may be repeated");
+    declared.repeated("--param", options->parameters, ValueKind{"NAME=VALUE"},
+                      "a parameter of the algorithm, k=v; may be repeated");
     declared.positive("--budget", options->budget_s, "seconds to search; 60 if not given");
     declared.option("--evaluations", options->evaluations,
                     "stop after so many evaluations per thread, which makes the result repeatable; 0: no limit");
     declared.option("--seed", options->seed, "seed of the search");
     declared.positive("--threads", options->threads, "parallel searches, each with its own random numbers",
                       kMaxWorkers);
-    declared.option("--solver", options->solver,
+    declared.option("--solver", options->solver, algorithm_kind(),
                     "exact algorithm for the optimum; the fastest for this n if not given");
-    declared.option("-o,--output", options->output,
+    declared.option("-o,--output", options->output, kFile,
                     "point file (.txt, .xy) for the worst instance; the state of the hunt is written beside it");
     declared.flag("--resume", options->resume, "continue the hunt whose state is beside the output file");
   };

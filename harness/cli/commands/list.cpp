@@ -81,7 +81,8 @@ int list(const ListArguments& options) {
 Command list_command() {
   const auto options = std::make_shared<ListArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("kind", options->kind, "algorithms, generators or studies");
+    declared.argument("kind", options->kind, one_of("KIND", {"algorithms", "generators", "studies"}),
+                      "algorithms, generators or studies");
     declared.flag("--json", options->json, "print JSON with all details");
   };
   return {"list", "List the algorithms, the families of instances, or the studies", declare,

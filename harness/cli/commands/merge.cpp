@@ -9,9 +9,10 @@ namespace mwt {
 Command merge_command() {
   const auto options = std::make_shared<MergeOptions>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.arguments("folders", options->folders, "results folders of all shards of one study");
-    declared.required("-o,--out", options->target, "folder for the joined records");
-    declared.option("--instances", options->instance_folder, "folder of the study's point files, if it has any");
+    declared.arguments("folders", options->folders, kFolder, "results folders of all shards of one study");
+    declared.required("-o,--out", options->target, kFolder, "folder for the joined records");
+    declared.option("--instances", options->instance_folder, kFolder,
+                    "folder of the study's point files, if it has any");
     declared.flag("--accept-other-build", options->accepts_other_build,
                   "join shards although they come from different commits of mwt");
   };

@@ -48,8 +48,8 @@ int report(const ReportArguments& options) {
 Command report_command() {
   const auto options = std::make_shared<ReportArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("folder", options->folder, "results folder of a study (mwt run)");
-    declared.option("--tables", options->tables,
+    declared.argument("folder", options->folder, kFolder, "results folder of a study (mwt run)");
+    declared.option("--tables", options->tables, kFile,
                     "write the tables to this file instead of printing them (often thousands of lines)");
   };
   return {"report", "Print tables of time, alpha and growth from the records of a study, and write them as CSV",

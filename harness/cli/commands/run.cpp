@@ -88,16 +88,19 @@ int run(const RunArguments& options) {
 Command run_command() {
   const auto options = std::make_shared<RunArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("study", options->study, "name of a study (mwt list studies) or path of a study file");
-    declared.option("--out", options->folder, "folder for the records; results/STUDY if not given");
+    declared.argument("study", options->study, study_kind(),
+                      "name of a study (mwt list studies) or path of a study file");
+    declared.option("--out", options->folder, kFolder, "folder for the records; results/STUDY if not given");
     declared.flag("--dry-run", options->dry_run, "print what would run and an estimate of the time");
     declared.flag("--resume", options->resume, "continue in a folder that has records: run only what is missing");
     declared.positive("--jobs", options->jobs, "runs side by side; more than one distorts the times", kMaxWorkers);
     declared.flag("--quiet", options->quiet,
                   "print progress, warnings and failures only, no table of alphas at the end");
     declared.flag("--no-cache", options->no_cache, "seek every optimum anew; neither read nor write the optimum cache");
-    declared.option("--shard", options->shard, "i/N: run only the i-th of N parts; mwt merge joins them");
-    declared.option("--instances", options->instances, "folder of the study's point files, instead of the study's own");
+    declared.option("--shard", options->shard, ValueKind{"I/N"},
+                    "i/N: run only the i-th of N parts; mwt merge joins them");
+    declared.option("--instances", options->instances, kFolder,
+                    "folder of the study's point files, instead of the study's own");
     declared.flag("--accept-other-build", options->accept_other_build,
                   "with --resume: continue although the records come from another build of mwt");
   };

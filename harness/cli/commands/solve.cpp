@@ -259,11 +259,12 @@ int solve(const SolveArguments& options) {
 }
 
 void declare(CommandOptions& declared, SolveArguments& options) {
-  declared.argument("points", options.points, "point file; - for stdin");
-  declared.required("--algorithm", options.algorithm, "name of an algorithm (mwt list algorithms)");
-  declared.option("--commands", options.commands,
+  declared.argument("points", options.points, kFile, "point file; - for stdin");
+  declared.required("--algorithm", options.algorithm, algorithm_kind(), "name of an algorithm (mwt list algorithms)");
+  declared.option("--commands", options.commands, kFile,
                   "study file (TOML) whose commands --algorithm may name, too: programs of your own");
-  declared.repeated("--param", options.parameters, "a parameter of the algorithm, k=v; may be repeated");
+  declared.repeated("--param", options.parameters, ValueKind{"NAME=VALUE"},
+                    "a parameter of the algorithm, k=v; may be repeated");
   declare_columns(declared, options.columns);
   declared.option("--seed", options.seed, "seed of the pseudo-random numbers");
   declared.positive("--threads", options.threads, "threads that the algorithm may use", kMaxWorkers);
@@ -272,12 +273,12 @@ void declare(CommandOptions& declared, SolveArguments& options) {
   declared.flag("--no-cache", options.no_cache, "seek that optimum anew; neither read nor write the optimum cache");
   declared.flag("--json", options.json, "print one JSON object");
   declared.option(
-      "--triangles", options.triangles,
+      "--triangles", options.triangles, kFile,
       "write the triangles (a,b,c per line; positions in the point file); with - for this or the next two, the "
       "summary goes to standard error");
-  declared.option("--edges", options.edges, "write the edges (a,b per line)");
-  declared.option("--svg", options.svg, "write a picture (.svg)");
-  declared.option("--proof", options.proof, "write a proof of the optimum for mwt_verify (.mwtproof)");
+  declared.option("--edges", options.edges, kFile, "write the edges (a,b per line)");
+  declared.option("--svg", options.svg, kFile, "write a picture (.svg)");
+  declared.option("--proof", options.proof, kFile, "write a proof of the optimum for mwt_verify (.mwtproof)");
 }
 
 }  // namespace

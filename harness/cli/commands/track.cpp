@@ -50,8 +50,8 @@ int track(const TrackArguments& options) {
 Command track_command() {
   const auto options = std::make_shared<TrackArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.arguments("dir", options->folders, "folders of results, of any schema version");
-    declared.option("--history", options->history, kHistoryHelp);
+    declared.arguments("dir", options->folders, kFolder, "folders of results, of any schema version");
+    declared.option("--history", options->history, kFile, kHistoryHelp);
   };
   return {"track", "Append a study's medians to the history", declare, [options] { return track(*options); }};
 }
