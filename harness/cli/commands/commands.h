@@ -19,5 +19,6 @@ namespace mwt {
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command track_command();
 [[nodiscard]] Command history_command();
+[[nodiscard]] Command explore_command();
 
 }  // namespace mwt
