@@ -27,12 +27,13 @@ def missing():
 
 
 class Browser:
-    """One page in one browser. Collects what goes to the console, errors, and requests other than for the page itself."""
+    """One page in one browser. Collects what goes to the console, errors, and requests other than for the page itself (of a served page:
+    elsewhere than below its address)."""
 
     def __init__(self, width=1280, height=900, dark=False):
         self.problems = []
         self.requests = []
-        self._page = None
+        self._page = self._own = None
         options = webdriver.ChromeOptions()
         options.binary_location = shutil.which("chromium")
         for option in OPTIONS:
@@ -53,10 +54,24 @@ class Browser:
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
         self._driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [scheme]})
 
-    def open(self, path):
-        """Returns when the page is loaded, with its scripts run."""
-        self._page = pathlib.Path(path).resolve().as_uri()
-        self._driver.get(self._page)
+    def open(self, page):
+        """Opens a file, or an address that begins with http://. Returns when the page is loaded, with its scripts run."""
+        is_address = str(page).startswith("http://")
+        address = str(page) if is_address else pathlib.Path(page).resolve().as_uri()
+        self._page = address.split("#")[0]
+        self._own = self._page if is_address else None
+        self._driver.get("about:blank")  # so that an address with another part behind # is loaded, too
+        self._driver.get(address)
+
+    def save_downloads_in(self, folder):
+        self._driver.execute_cdp_cmd("Page.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(folder)})
+
+    def dispatch(self, command, **parameters):
+        """Sends an event as of a mouse, a finger or a key: a command of Chromium's Input domain."""
+        self._driver.execute_cdp_cmd(f"Input.{command}", parameters)
+
+    def choose_file(self, selector, path):
+        self._driver.find_element("css selector", selector).send_keys(str(path))
 
     def value(self, expression):
         """The value of a JavaScript expression."""
@@ -77,7 +92,8 @@ class Browser:
             event = json.loads(entry["message"])["message"]
             if event["method"] == "Network.requestWillBeSent":
                 url = event["params"]["request"]["url"]
-                if url.split("#")[0] != self._page and not url.startswith(("data:", "about:")):
+                is_own = url.split("#")[0] == self._page or self._own is not None and url.startswith(self._own)
+                if not is_own and not url.startswith(("data:", "about:", "blob:")):
                     self.requests.append(url)
 
     def picture(self, path):

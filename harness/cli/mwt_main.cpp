@@ -9,7 +9,7 @@ int main(int argument_count, char** arguments) {
                                         mwt::check_command(),   mwt::draw_command(),     mwt::convert_command(),
                                         mwt::run_command(),     mwt::merge_command(),    mwt::cluster_command(),
                                         mwt::report_command(),  mwt::compare_command(),  mwt::track_command(),
-                                        mwt::history_command(), mwt::hunt_command()};
+                                        mwt::history_command(), mwt::hunt_command(),     mwt::explore_command()};
   commands.push_back(mwt::completion_command(commands));
   commands.push_back(mwt::manual_command(commands));
   return mwt::run_command_line(commands, argument_count, arguments);

@@ -3,9 +3,11 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "algorithms/proof_trace.h"
+#include "base/number_text.h"
 #include "harness/io/proof_file.h"
 #include "harness/io/text/csv.h"
 #include "harness/run/command/command.h"
@@ -41,14 +43,26 @@ RunStatus status_after(ProcessEnd end) {
   return RunStatus::crashed;
 }
 
-// The run as it goes through the pipe.
-std::string encode(const RatedRun& run) { return csv_line(to_row(rated_run_columns<RatedRun>(), run)); }
+// A run and what it encloses.
+struct SentRun {
+  RatedRun run;
+  std::string enclosed;
+};
 
-std::optional<RatedRun> decode(const std::string& text) {
-  const std::vector<CsvRow> rows = parse_csv(text);
+// As they go through the pipe: the length of the run's text, that text, and what is enclosed.
+std::string encode(const SentRun& sent) {
+  const std::string line = csv_line(to_row(rated_run_columns<RatedRun>(), sent.run));
+  return std::to_string(line.size()) + '\n' + line + sent.enclosed;
+}
+
+std::optional<SentRun> decode(const std::string& text) {
+  const std::size_t line_begin = text.find('\n') + 1;
+  const auto size = parse_whole_number<std::uint64_t>(std::string_view(text).substr(0, line_begin - 1));
+  if (line_begin == 0 || !size || *size > text.size() - line_begin) return std::nullopt;
+  const std::vector<CsvRow> rows = parse_csv(text.substr(line_begin, *size));
   if (rows.size() != 1) return std::nullopt;
   try {
-    return read_row(rated_run_columns<RatedRun>(), rows.front());
+    return SentRun{read_row(rated_run_columns<RatedRun>(), rows.front()), text.substr(line_begin + *size)};
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }
@@ -69,62 +83,89 @@ void write_proof_if_any(const std::string& file, Points points, const ProofTrace
   }
 }
 
+// What is done in a run's process besides the run.
+struct Extras {
+  std::string proof_file;
+  RunEnclosure enclose;
+};
+
+SentRun execute_and_judge(Request request, Points points, const Timing& timing, double kill_after_s,
+                          const Extras& extras) {
+  ProofTrace trace;
+  if (!extras.proof_file.empty()) request.proof = &trace;
+  const Execution execution = execute_repeatedly(request, points, timing.min_time_s);
+  if (execution.wall_time_s > kill_after_s) return {failed(RunStatus::timeout, "ended after its limit and grace"), ""};
+  SentRun sent{judged(*request.algorithm, points, execution), ""};
+  RatedRun& run = sent.run;
+  if (run.status == RunStatus::invalid_output) {  // a failed run has no measures
+    RatedRun bare = failed(run.status, run.message);
+    bare.checker = run.checker;
+    return {bare, ""};
+  }
+  if (run.status != RunStatus::ok) return sent;
+  if (!extras.proof_file.empty()) write_proof_if_any(extras.proof_file, points, trace, execution.solution);
+  if (timing.delaunay_time) run.delaunay_time_s = delaunay_time_s(points);
+  if (extras.enclose) sent.enclosed = extras.enclose(execution);
+  return sent;
+}
+
 // What happens inside the process.
-RatedRun run_here(Request request, Points points, const Timing& timing, double kill_after_s,
-                  const std::string& proof_file) {
+SentRun run_here(const Request& request, Points points, const Timing& timing, double kill_after_s,
+                 const Extras& extras) {
   try {
-    ProofTrace trace;
-    if (!proof_file.empty()) request.proof = &trace;
-    const Execution execution = execute_repeatedly(request, points, timing.min_time_s);
-    if (execution.wall_time_s > kill_after_s) return failed(RunStatus::timeout, "ended after its limit and grace");
-    RatedRun run = judged(*request.algorithm, points, execution);
-    if (run.status == RunStatus::invalid_output) {  // a failed run has no measures
-      RatedRun bare = failed(run.status, run.message);
-      bare.checker = run.checker;
-      return bare;
-    }
-    if (!proof_file.empty() && run.status == RunStatus::ok)
-      write_proof_if_any(proof_file, points, trace, execution.solution);
-    if (timing.delaunay_time && run.status == RunStatus::ok) run.delaunay_time_s = delaunay_time_s(points);
-    return run;
+    return execute_and_judge(request, points, timing, kill_after_s, extras);
   } catch (const CommandFailure& failure) {
-    return failed(failure.status(), failure.what());
+    return {failed(failure.status(), failure.what()), ""};
   } catch (const NotApplicable& reason) {
-    return failed(RunStatus::not_applicable, reason.what());
+    return {failed(RunStatus::not_applicable, reason.what()), ""};
   } catch (const std::bad_alloc&) {
-    return failed(RunStatus::out_of_memory, "an allocation failed under the memory limit");
+    return {failed(RunStatus::out_of_memory, "an allocation failed under the memory limit"), ""};
   } catch (const std::exception& failure) {
-    return failed(RunStatus::error, failure.what());
+    return {failed(RunStatus::error, failure.what()), ""};
   }
 }
 
-RatedRun run_after(const ProcessResult& process) {
-  std::optional<RatedRun> sent = process.end == ProcessEnd::finished ? decode(process.output) : std::nullopt;
-  RatedRun run =
-      sent ? *std::move(sent)
-           : failed(status_after(process.end), process.how.empty() ? "its result was unreadable" : process.how);
-  // What a failed run wrote to standard error may explain its status.
-  if (is_failure(run.status) && !process.error_tail.empty()) {
-    run.message += "; standard error: " + process.error_tail;
+SentRun run_after(const ProcessResult& process) {
+  std::optional<SentRun> sent = process.end == ProcessEnd::finished ? decode(process.output) : std::nullopt;
+  if (!sent) {
+    const std::string how = process.how.empty() ? "its result was unreadable" : process.how;
+    sent = {failed(status_after(process.end), how), ""};
   }
-  return run;
+  // What a failed run wrote to standard error may explain its status.
+  if (is_failure(sent->run.status) && !process.error_tail.empty()) {
+    sent->run.message += "; standard error: " + process.error_tail;
+  }
+  return *std::move(sent);
+}
+
+void start_run(ProcessPool& pool, const Request& request, const Instance& instance, const RunLimits& limits,
+               const Timing& timing, const Extras& extras, std::function<void(SentRun)> when_done) {
+  const Points points = instance.set.points;
+  const auto n = static_cast<Index>(points.size());
+  const auto work = [&] { return encode(run_here(request, points, timing, limits.time_s + limits.grace_s, extras)); };
+  const ProcessLimits process =
+      process_limits(limits, allowance_s(timing, !extras.proof_file.empty(), n), request.threads);
+  const bool may_leave_folder = request.algorithm->runs_outside;
+  pool.start(work, process, [when_done = std::move(when_done), may_leave_folder](const ProcessResult& result) {
+    if (may_leave_folder && result.end != ProcessEnd::finished) remove_abandoned_command_folders();
+    when_done(run_after(result));
+  });
 }
 
 }  // namespace
 
 void start_isolated_run(ProcessPool& pool, const Request& request, const Instance& instance, const RunLimits& limits,
                         const Timing& timing, std::function<void(RatedRun)> when_done, const std::string& proof_file) {
-  const Points points = instance.set.points;
-  const auto n = static_cast<Index>(points.size());
-  const auto work = [&] {
-    return encode(run_here(request, points, timing, limits.time_s + limits.grace_s, proof_file));
-  };
-  const ProcessLimits process = process_limits(limits, allowance_s(timing, !proof_file.empty(), n), request.threads);
-  const bool may_leave_folder = request.algorithm->runs_outside;
-  pool.start(work, process, [when_done = std::move(when_done), may_leave_folder](const ProcessResult& result) {
-    if (may_leave_folder && result.end != ProcessEnd::finished) remove_abandoned_command_folders();
-    when_done(run_after(result));
-  });
+  start_run(pool, request, instance, limits, timing, {proof_file, nullptr},
+            [when_done = std::move(when_done)](SentRun sent) { when_done(std::move(sent.run)); });
+}
+
+void start_isolated_run_with(ProcessPool& pool, const Request& request, const Instance& instance,
+                             const RunLimits& limits, const Timing& timing, RunEnclosure enclose,
+                             std::function<void(RatedRun, std::string)> when_done) {
+  start_run(
+      pool, request, instance, limits, timing, {"", std::move(enclose)},
+      [when_done = std::move(when_done)](SentRun sent) { when_done(std::move(sent.run), std::move(sent.enclosed)); });
 }
 
 }  // namespace mwt

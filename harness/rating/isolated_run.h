@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "harness/rating/rated_run.h"
 #include "harness/run/execution.h"
@@ -35,5 +36,14 @@ struct Timing {
 void start_isolated_run(ProcessPool& pool, const Request& request, const Instance& instance, const RunLimits& limits,
                         const Timing& timing, std::function<void(RatedRun)> when_done,
                         const std::string& proof_file = "");
+
+/// What a run sends back besides its measures: bytes, made in its process from the execution if the run is ok.
+using RunEnclosure = std::function<std::string(const Execution&)>;
+
+/// The same; `when_done` also gets the bytes of `enclose`, none unless the run is ok. All that a run sends may take 64
+/// MiB.
+void start_isolated_run_with(ProcessPool& pool, const Request& request, const Instance& instance,
+                             const RunLimits& limits, const Timing& timing, RunEnclosure enclose,
+                             std::function<void(RatedRun, std::string)> when_done);
 
 }  // namespace mwt

@@ -268,9 +268,9 @@ TEST(Proof, OfAWheelIsVerified) {
 TEST(Proof, OfDivisionByTheBetaSkeletonIsVerified) {
   const Prover prover;
   int divided = 0;
-  for (const char* family : {"cluster_in_triangle", "annulus", "collinear_rows", "spiral", "roads"}) {
+  for (const char* family : {"cluster_in_triangle", "annulus"}) {
     SCOPED_TRACE(family);
-    const auto proved = prover.prove_optimum("exact", make_point_set(generate(family, 300, 1), family).points);
+    const auto proved = prover.prove_optimum("exact", make_point_set(generate(family, 1000, 1), family).points);
     if (!proved) continue;
     const auto& counters = proved->solution.counters;
     const auto crossing = counters.find("edges_across_beta_skeleton");

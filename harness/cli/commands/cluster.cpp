@@ -119,34 +119,34 @@ Command cluster_command() {
   const auto options = std::make_shared<ClusterArguments>();
   const auto declare = [options](CommandOptions& declared) {
     declared.argument(
-        "action", options->action,
+        "action", options->action, one_of("ACTION", {"submit", "status", "resubmit", "cancel", "task", "merge"}),
         "submit: divide a study into shards and submit them; status: how far each is; resubmit: what is missing; "
         "cancel: all that waits or runs; task, merge: what the jobs do, also without Slurm");
-    declared.argument("target", options->target,
+    declared.argument("target", options->target, study_kind(),
                       "with submit: a study or a study file; else the folder of a submitted study");
-    declared.optional_argument("shard", options->task, "with task: the number of the shard to run");
+    declared.optional_argument("shard", options->task, kWholeNumber, "with task: the number of the shard to run");
     declared.option("--shards", options->shards, "with submit: into how many parts");
-    declared.option("--out", options->folder,
+    declared.option("--out", options->folder, kFolder,
                     "with submit: folder for scripts and records; results/STUDY-cluster if not given");
-    declared.option("--instances", options->instances,
+    declared.option("--instances", options->instances, kFolder,
                     "with submit: folder of the study's point files, instead of the study's own");
     declared.flag("--no-cache", options->no_cache,
                   "with submit: seek every optimum anew; neither read nor write the optimum cache");
     declared.flag("--write-only", options->write_only, "with submit: write folder and scripts, but submit nothing");
     declared.flag("--optima", options->only_optima, "with task: seek the optima of the shard, and leave its runs");
-    declared.option("--partition", options->request.partition,
+    declared.option("--partition", options->request.partition, ValueKind{"PARTITION"},
                     "with submit and resubmit, as those below: partition of the nodes");
-    declared.option("--time", options->request.time,
+    declared.option("--time", options->request.time, ValueKind{"TIME"},
                     "time limit of a task, as sbatch takes it: minutes, or hours:minutes:seconds");
-    declared.option("--mem", options->request.memory,
+    declared.option("--mem", options->request.memory, ValueKind{"SIZE"},
                     "memory of a task (4G); the study's limit and 512 MB more if not given");
-    declared.option("--constraint", options->request.constraint,
+    declared.option("--constraint", options->request.constraint, ValueKind{"FEATURES"},
                     "features of the nodes: times are comparable on nodes of one kind only");
-    declared.option("--account", options->request.account, "account to charge");
-    declared.option("--qos", options->request.qos, "quality of service");
+    declared.option("--account", options->request.account, ValueKind{"ACCOUNT"}, "account to charge");
+    declared.option("--qos", options->request.qos, ValueKind{"QOS"}, "quality of service");
     declared.flag("--exclusive", options->request.exclusive,
                   "a node per task, so that no other job disturbs the times");
-    declared.repeated("--sbatch", options->request.others,
+    declared.repeated("--sbatch", options->request.others, ValueKind{"OPTION"},
                       "any other option of sbatch, such as --sbatch=--nice=100; repeatable");
   };
   return {"cluster", "Run a study on a Slurm cluster: submit its shards, see how far they are, go on after failures",

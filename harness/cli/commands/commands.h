@@ -20,6 +20,7 @@ namespace mwt {
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command track_command();
 [[nodiscard]] Command history_command();
+[[nodiscard]] Command explore_command();
 
 /// These describe all commands, themselves included: `commands` has to outlive the command, and may grow until it runs.
 [[nodiscard]] Command completion_command(const std::vector<Command>& commands);

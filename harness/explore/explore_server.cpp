@@ -1,0 +1,317 @@
+#include "harness/explore/explore_server.h"
+
+#include <fmt/core.h>
+#include <poll.h>
+#include <pthread.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+// Debian compiles the library with these; its classes have other members without them.
+#define CPPHTTPLIB_BROTLI_SUPPORT
+#define CPPHTTPLIB_OPENSSL_SUPPORT
+#define CPPHTTPLIB_ZLIB_SUPPORT
+#include <httplib.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "harness/explore/access.h"
+#include "harness/explore/page_files.h"
+
+namespace mwt {
+
+namespace {
+
+constexpr std::size_t kMaxBody = std::size_t{32} << 20;
+constexpr std::size_t kThreads = 32;
+constexpr std::size_t kMaxWaitingConnections = 256;
+constexpr const char* kBytes = "application/octet-stream";
+
+// Threads for connections. Where all are busy and kMaxWaitingConnections wait, no further one is accepted; a connection
+// that fails ends alone.
+class ConnectionThreads : public httplib::TaskQueue {
+ public:
+  ConnectionThreads() {
+    for (std::size_t i = 0; i < kThreads; ++i) threads_.emplace_back([this] { work(); });
+  }
+
+  void enqueue(std::function<void()> connection) override {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return waiting_.size() < kMaxWaitingConnections || ends_; });
+    waiting_.push_back(std::move(connection));
+    lock.unlock();
+    changed_.notify_all();
+  }
+
+  void shutdown() override {
+    {
+      const std::lock_guard lock(mutex_);
+      ends_ = true;
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+ private:
+  void work() {
+    for (;;) {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [&] { return !waiting_.empty() || ends_; });
+      if (waiting_.empty()) return;
+      const std::function<void()> connection = std::move(waiting_.front());
+      waiting_.pop_front();
+      lock.unlock();
+      changed_.notify_all();
+      try {
+        connection();
+      } catch (const std::exception&) {  // out of memory while its head was read
+      }
+    }
+  }
+
+  std::vector<std::thread> threads_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void()>> waiting_;
+  bool ends_ = false;
+};
+
+// How many jobs there are and run.
+class JobPlaces {
+ public:
+  JobPlaces(int parallel, int waiting) : parallel_(parallel), all_(parallel + waiting) {}
+
+  bool enter() {
+    const std::lock_guard lock(mutex_);
+    if (present_ == all_) return false;
+    ++present_;
+    return true;
+  }
+
+  bool begin() {
+    const std::lock_guard lock(mutex_);
+    if (running_ == parallel_) return false;
+    ++running_;
+    return true;
+  }
+
+  void leave(bool was_running) {
+    const std::lock_guard lock(mutex_);
+    --present_;
+    if (was_running) --running_;
+  }
+
+ private:
+  std::mutex mutex_;
+  int parallel_;
+  int all_;
+  int present_ = 0;
+  int running_ = 0;
+};
+
+// One job, from its place among those that wait to the end of its answer.
+class StreamedJob {
+ public:
+  StreamedJob(const JobHost& host, JobPlaces& places, std::string request)
+      : host_(host), places_(places), request_(std::move(request)) {}
+  ~StreamedJob() {
+    if (answer_ >= 0) close(answer_);
+    places_.leave(runs_);
+  }
+  StreamedJob(const StreamedJob&) = delete;
+  StreamedJob& operator=(const StreamedJob&) = delete;
+
+  // Passes on what there is. Returns whether the connection is to be kept; called again until done() or that is false.
+  bool provide(httplib::DataSink& sink) {
+    constexpr int kPatienceMs = 20;
+    if (!sink.is_writable()) return false;
+    if (!runs_ && !begin()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(kPatienceMs));
+      return true;
+    }
+    pollfd watched{answer_, POLLIN, 0};
+    if (poll(&watched, 1, kPatienceMs) <= 0) return true;
+    const ssize_t size = recv(answer_, block_.data(), block_.size(), 0);
+    if (size < 0) return errno == EAGAIN || errno == EINTR;
+    if (size == 0) {
+      sink.done();
+      return true;
+    }
+    return sink.write(block_.data(), static_cast<std::size_t>(size));
+  }
+
+ private:
+  bool begin() {
+    runs_ = places_.begin();
+    if (!runs_) return false;
+    answer_ = host_.start(request_);
+    request_ = {};
+    return true;
+  }
+
+  const JobHost& host_;
+  JobPlaces& places_;
+  std::string request_;
+  bool runs_ = false;
+  int answer_ = -1;
+  std::array<char, 1 << 16> block_{};
+};
+
+std::string_view type_of(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kTypes = {
+      {{".html", "text/html; charset=utf-8"},
+       {".css", "text/css; charset=utf-8"},
+       {".js", "text/javascript; charset=utf-8"},
+       {".json", "application/json"}}};
+  for (const auto& [ending, type] : kTypes) {
+    if (name.ends_with(ending)) return type;
+  }
+  return kBytes;
+}
+
+// Requests that httplib would read without a limit, or in ways that the page needs not.
+bool has_unusual_body(const httplib::Request& request) {
+  return request.has_header("Transfer-Encoding") || request.has_header("Content-Encoding") ||
+         request.has_header("Range") || (request.method == "POST" && !request.has_header("Content-Length"));
+}
+
+void refuse(httplib::Response& response, int status, const std::string& why) {
+  response.status = status;
+  response.set_content("mwt explore: " + why + "\n", "text/plain");
+}
+
+// Regular expressions in httplib recurse over what they are given, lines of 8 KiB.
+void give_threads_large_stacks() {
+  constexpr std::size_t kStack = std::size_t{64} << 20;
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, kStack);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
+}
+
+}  // namespace
+
+class ExploreServer::Impl {
+ public:
+  Impl(const JobHost& host, ExploreOptions options)
+      : host_(host),
+        options_(std::move(options)),
+        token_(random_token()),
+        places_(options_.parallel_jobs, options_.waiting_jobs),
+        port_(bind()),
+        access_(token_, port_) {
+    set_up();
+  }
+
+  [[nodiscard]] std::string address() const { return fmt::format("http://127.0.0.1:{}/{}/", port_, token_); }
+  void serve() { server_.listen_after_bind(); }
+  void stop() { server_.stop(); }
+
+ private:
+  int bind() {
+    constexpr const char* kLoopback = "127.0.0.1";
+    if (options_.port == 0) return server_.bind_to_any_port(kLoopback);
+    if (!server_.bind_to_port(kLoopback, options_.port))
+      throw InputError(fmt::format("--port {}: not free; give another one, or none", options_.port));
+    return options_.port;
+  }
+
+  void set_up() {
+    give_threads_large_stacks();
+    server_.new_task_queue = [] { return new ConnectionThreads; };
+    server_.set_keep_alive_max_count(1);
+    server_.set_tcp_nodelay(true);
+    server_.set_read_timeout(5);
+    server_.set_write_timeout(5);
+    server_.set_payload_max_length(kMaxBody);
+    server_.set_default_headers({
+        {"Cache-Control", "no-store"},
+        {"Content-Security-Policy",
+         "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; "
+         "base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+        {"Cross-Origin-Opener-Policy", "same-origin"},
+        {"Cross-Origin-Resource-Policy", "same-origin"},
+        {"Referrer-Policy", "no-referrer"},
+        {"X-Content-Type-Options", "nosniff"},
+    });
+    server_.set_pre_routing_handler([this](const auto& request, auto& response) { return admit(request, response); });
+    server_.set_error_handler([](const httplib::Request&, httplib::Response& response) {
+      if (response.body.empty()) refuse(response, response.status, "refused");
+    });
+    server_.set_exception_handler([](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) {
+      refuse(response, 500, "the request could not be served");
+    });
+    server_.Post("/" + token_ + "/job", [this](const auto& request, auto& response) { job(request, response); });
+  }
+
+  // Everything is decided here, before a body is read, but for jobs that are admitted.
+  httplib::Server::HandlerResponse admit(const httplib::Request& request, httplib::Response& response) {
+    const std::string host = request.get_header_value("Host");
+    const std::string origin = request.get_header_value("Origin");
+    const bool is_ambiguous =
+        request.get_header_value_count("Host") != 1 || request.get_header_value_count("Origin") > 1;
+    const auto path = access_.granted(
+        {host, request.has_header("Origin") ? std::optional<std::string_view>(origin) : std::nullopt, request.path});
+    if (is_ambiguous || !path) {
+      refuse(response, 403, "not allowed; open the address that the program has printed");
+    } else if (has_unusual_body(request)) {
+      refuse(response, 400, "a request needs a Content-Length, and neither encodings nor ranges");
+    } else if (request.method == "GET") {
+      serve_file(*path, response);
+    } else if (request.method != "POST" || *path != "job") {
+      refuse(response, 404, "there is no such thing here");
+    } else if (request.get_header_value("Content-Type") != kBytes) {
+      refuse(response, 415, std::string("the body of a job is ") + kBytes);
+    } else {
+      return httplib::Server::HandlerResponse::Unhandled;
+    }
+    return httplib::Server::HandlerResponse::Handled;
+  }
+
+  void serve_file(const std::string& path, httplib::Response& response) const {
+    if (path == "catalogue.json") return response.set_content(options_.catalogue, "application/json");
+    if (path == "given") return response.set_content(options_.given_points, kBytes);
+    const std::string_view name = path.empty() ? "index.html" : std::string_view(path);
+    const auto files = page_files();
+    const auto file = std::ranges::find(files, name, &PageFile::name);
+    if (file == files.end()) return refuse(response, 404, "there is no such file");
+    response.set_content(file->content.data(), file->content.size(), std::string(type_of(name)).c_str());
+  }
+
+  void job(const httplib::Request& request, httplib::Response& response) {
+    if (!places_.enter()) {
+      response.set_header("Retry-After", "1");
+      return refuse(response, 503, "too many jobs at once");
+    }
+    auto streamed = std::make_shared<StreamedJob>(host_, places_, request.body);
+    response.set_chunked_content_provider(
+        kBytes, [streamed](std::size_t, httplib::DataSink& sink) { return streamed->provide(sink); });
+  }
+
+  const JobHost& host_;
+  ExploreOptions options_;
+  std::string token_;
+  JobPlaces places_;
+  httplib::Server server_;
+  int port_;
+  Access access_;
+};
+
+ExploreServer::ExploreServer(const JobHost& host, ExploreOptions options)
+    : impl_(std::make_unique<Impl>(host, std::move(options))) {}
+ExploreServer::~ExploreServer() = default;
+std::string ExploreServer::address() const { return impl_->address(); }
+void ExploreServer::serve() { impl_->serve(); }
+void ExploreServer::stop() { impl_->stop(); }
+
+}  // namespace mwt

@@ -1,0 +1,88 @@
+// Keeps the shown triangulations up to date while points change: one job at a time, for the newest points.
+import { ask, Refusal } from "./program.js";
+
+// One triangulation as shown.
+export function solutionOf(json, bytes) {
+  const edges = new Uint32Array(bytes, 0, bytes.byteLength ? 2 * json.edges : 0);
+  const triangles = new Uint32Array(bytes, 4 * edges.length, bytes.byteLength ? 3 * json.triangles : 0);
+  return { edges, triangles };
+}
+
+export class Solving {
+  latency = []; // milliseconds from a change of the points to its first triangulation, for measurements
+  #task = null; // what is to be solved, newest only
+  #changedAt = 0;
+  #abort = null;
+  #isFirstDone = false;
+
+  // `show(answer, isLast)` gets what is known so far; `fail(message)` the program's refusal.
+  constructor(show, fail) {
+    this.show = show;
+    this.fail = fail;
+  }
+
+  get isIdle() {
+    return !this.#abort && !this.#task;
+  }
+
+  // Solves `task` = {coordinates, algorithms} as soon as the first triangulation of the one under way is there.
+  start(task) {
+    if (!this.#task) this.#changedAt = performance.now();
+    this.#task = task;
+    if (!this.#abort) this.#run();
+    else if (this.#isFirstDone) this.#abort.abort();
+  }
+
+  // Does not wait for the one under way.
+  startAnew(task) {
+    this.#isFirstDone = true;
+    this.start(task);
+  }
+
+  async #run() {
+    while (this.#task) {
+      const task = this.#task;
+      const changedAt = this.#changedAt;
+      this.#task = null;
+      this.#isFirstDone = false;
+      this.#abort = new AbortController();
+      try {
+        await this.#solve(task, changedAt, this.#abort.signal);
+      } catch (error) {
+        if (error.name !== "AbortError") {
+          if (!this.#task) this.fail(error instanceof Refusal ? error.message : "the program does not answer; does it still run?");
+        }
+      }
+      this.#abort = null;
+    }
+  }
+
+  async #solve({ coordinates, algorithms }, changedAt, signal) {
+    const answer = { algorithms, instance: null, runs: [], optimum: null, size: coordinates.length / 2, isComplete: false };
+    const asked = [algorithms.first, algorithms.second].filter(({ name }) => name !== "none" && name !== "optimum");
+    const request = {
+      job: "solve",
+      algorithms: asked,
+      seed: algorithms.seed,
+      optimum: algorithms.optimum || algorithms.second.name === "optimum",
+      time_limit_s: Number(algorithms.timeLimit),
+    };
+    const bytes = new Uint8Array(coordinates.slice().buffer);
+    const onFrame = (json, answered) => {
+      if (json.type === "instance") answer.instance = json;
+      if (json.type === "run") answer.runs[json.slot] = { ...asked[json.slot], run: json.run, ...solutionOf(json, answered) };
+      if (json.type === "optimum") answer.optimum = { ...json, ...solutionOf(json, answered) };
+      if (json.type === "rating") answer.runs[json.slot].run = json.run;
+      if (json.type !== "run" && json.type !== "optimum") return;
+      if (json.type === "run" && json.slot === 0) {
+        this.#isFirstDone = true;
+        this.latency.push(performance.now() - changedAt);
+      }
+      this.show(answer);
+      if (this.#task) this.#abort.abort();
+    };
+    await ask(request, bytes, onFrame, signal);
+    answer.isComplete = true;
+    this.show(answer);
+  }
+}

@@ -1,0 +1,65 @@
+#include "harness/explore/read_content.h"
+
+#include <stdlib.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "base/error.h"
+#include "harness/io/points/point_file.h"
+
+namespace mwt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "mwt_explore_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// The last part of a name, whatever separates parts where it comes from. Names that are no file's get a plain one.
+std::string file_name_of(const std::string& name) {
+  const std::size_t separator = name.find_last_of("/\\");
+  std::string last = separator == std::string::npos ? name : name.substr(separator + 1);
+  constexpr std::size_t kLongestName = 200;
+  const bool is_usable = !last.empty() && last != "." && last != ".." && last.size() <= kLongestName &&
+                         last.find('\0') == std::string::npos;
+  return is_usable ? last : "points";
+}
+
+}  // namespace
+
+std::vector<Point> read_content(const std::string& name, const std::string& content) {
+  const TemporaryFolder folder;
+  const std::string file_name = file_name_of(name);
+  const std::string path = (folder.path() / file_name).string();
+  std::ofstream(path, std::ios::binary) << content;
+  try {
+    return read_points(path);
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    if (message.starts_with(path)) message.replace(0, path.size(), file_name);
+    throw InputError(message);
+  }
+}
+
+}  // namespace mwt

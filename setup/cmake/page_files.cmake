@@ -1,0 +1,33 @@
+# Compiles the files of harness/explore/page/, and the style of the report's page, into the harness: harness/explore/page_files.h.
+if(CMAKE_SCRIPT_MODE_FILE)
+  set(code "#include \"harness/explore/page_files.h\"\n\n#include <array>\n\nnamespace mwt {\n\nnamespace {\n\n")
+  set(entries "")
+  set(count 0)
+  foreach(pair IN LISTS FILES)
+    string(REPLACE "=" ";" pair "${pair}")
+    list(GET pair 0 name)
+    list(GET pair 1 file)
+    file(READ ${file} hex HEX)
+    string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${hex}")
+    string(REGEX REPLACE "('[^,]*',){20}" "\\0\n" bytes "${bytes}")
+    string(APPEND code "constexpr char k_file_${count}[] = {\n${bytes}};\n")
+    string(APPEND entries "    PageFile{\"${name}\", {k_file_${count}, sizeof k_file_${count}}},\n")
+    math(EXPR count "${count} + 1")
+  endforeach()
+  string(APPEND code "\n}  // namespace\n\nstd::span<const PageFile> page_files() {\n  static constexpr std::array kFiles = {\n${entries}  };\n"
+                     "  return kFiles;\n}\n\n}  // namespace mwt\n")
+  file(WRITE ${OUTPUT} "${code}")
+  return()
+endif()
+
+file(GLOB page_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/harness/explore/page/*)
+set(page_pairs "report.css=${PROJECT_SOURCE_DIR}/plots/library/page.css")
+foreach(file IN LISTS page_sources)
+  cmake_path(GET file FILENAME name)
+  list(APPEND page_pairs "${name}=${file}")
+endforeach()
+set(page_code ${PROJECT_BINARY_DIR}/page_files.cpp)
+add_custom_command(OUTPUT ${page_code} DEPENDS ${page_sources} ${PROJECT_SOURCE_DIR}/plots/library/page.css ${CMAKE_CURRENT_LIST_FILE}
+  COMMAND ${CMAKE_COMMAND} "-DFILES=${page_pairs}" -DOUTPUT=${page_code} -P ${CMAKE_CURRENT_LIST_FILE}
+  COMMENT "Embedding the explorer's page" VERBATIM)
+target_sources(mwt_harness PRIVATE ${page_code})
