@@ -138,6 +138,7 @@ def make(history, last_nightly_run):
         "improvements": len(history.changes) - worse,
         "changes": changes_of(history),
         "series_data": series_data(history),
+        "has_counts": any(series["aspect"] == "counts" for series in history.series),
     }
     return html_page.render("dashboard.html", values)
 

@@ -5,8 +5,9 @@
 // threads an algorithm may use (default: one); --version. Counters: over_delaunay = median processor time (of several
 // threads: wall time) / median of seven Delaunay triangulations of the same points by CGAL, measured in turns with the
 // algorithm; stopped_early, 1 if something stopped the algorithm (the label names it), else 0; alpha_lower,
-// alpha_upper where an optimum is cheap; phase_NAME_s, the algorithm's own stages in its last iteration (in CSV these
-// are in the column `label`: see csv_reporter.h).
+// alpha_upper where an optimum is cheap; instructions, cycles, cache_misses, branch_misses of one execution more, where
+// the machine counts them and one thread is allowed; phase_NAME_s, the algorithm's own stages in its last iteration (in
+// CSV these are in the column `label`: see csv_reporter.h).
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -29,6 +31,7 @@
 #include "harness/io/exit_code.h"
 #include "harness/io/standard_streams.h"
 #include "harness/run/machine/build_info.h"
+#include "harness/run/machine/event_counts.h"
 #include "harness/run/max_workers.h"
 
 namespace mwt {
@@ -45,6 +48,20 @@ const PreparedCell& prepared(const Catalogue& catalogue, const BenchmarkCell& ce
     name = cell.name();
   }
   return *last;
+}
+
+// Of one more execution, so that counting is no part of the times; none where the machine counts nothing.
+void add_event_counts(benchmark::State& state, const std::function<void()>& execute) {
+  EventCounter counter;
+  if (!counter.is_counting()) return;
+  execute();
+  const EventCounts counts = counter.stop();
+  for (const auto& [name, count] : {std::pair("instructions", counts.instructions),
+                                    {"cycles", counts.cycles},
+                                    {"cache_misses", counts.cache_misses},
+                                    {"branch_misses", counts.branch_misses}}) {
+    if (count) state.counters[name] = static_cast<double>(*count);
+  }
 }
 
 void time_cell(benchmark::State& state, const Catalogue& catalogue, const BenchmarkCell& benchmark_cell, int threads) {
@@ -81,6 +98,7 @@ void time_cell(benchmark::State& state, const Catalogue& catalogue, const Benchm
     state.counters["alpha_lower"] = *cell.run.alpha_lower;
     state.counters["alpha_upper"] = *cell.run.alpha_upper;
   }
+  if (threads == 1) add_event_counts(state, [&] { (void)benchmark_cell.algorithm->function(points, context); });
   for (const auto& [phase, seconds] : context.phases) state.counters["phase_" + phase + "_s"] += seconds;
 }
 

@@ -48,6 +48,10 @@ void fill_in_costs(RatedRun& run, const Execution& execution) {
   run.iterations = execution.iterations;
   run.peak_rss_bytes = execution.peak_rss_bytes;
   run.phases.assign(execution.phases.begin(), execution.phases.end());
+  run.instructions = execution.counts.instructions;
+  run.cycles = execution.counts.cycles;
+  run.cache_misses = execution.counts.cache_misses;
+  run.branch_misses = execution.counts.branch_misses;
 }
 
 void fill_in_solution(RatedRun& run, const Solution& solution, const Judgement& judgement) {

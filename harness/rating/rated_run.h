@@ -51,7 +51,15 @@ struct RatedRun {
   NamedNumbers counters;
   std::optional<double> delaunay_time_s;
   std::optional<StopReason> stop_reason;
-  std::optional<double> claimed_lower;  ///< a lower bound that the algorithm states and nobody certifies
+  std::optional<double> claimed_lower;        ///< a lower bound that the algorithm states and nobody certifies
+  std::optional<std::uint64_t> instructions;  ///< this and the next three: what the processor counted
+  std::optional<std::uint64_t> cycles;
+  std::optional<std::uint64_t> cache_misses;
+  std::optional<std::uint64_t> branch_misses;
+  std::optional<std::uint64_t> callgrind_instructions;  ///< this and the next three: of another execution
+  std::optional<std::uint64_t> callgrind_l1_misses;
+  std::optional<std::uint64_t> callgrind_ll_misses;
+  std::optional<std::uint64_t> callgrind_branch_misses;
 };
 
 /// What an execution of `algorithm` cost and returned: the checker's verdict, the certified weight, and the lower bound
@@ -131,6 +139,14 @@ template <class Record>
       time_column<Record>("delaunay_time_s", &R::delaunay_time_s),
       column<Record>("stop_reason", &R::stop_reason),
       column<Record>("claimed_lower", &R::claimed_lower),
+      column<Record>("instructions", &R::instructions),
+      column<Record>("cycles", &R::cycles),
+      column<Record>("cache_misses", &R::cache_misses),
+      column<Record>("branch_misses", &R::branch_misses),
+      column<Record>("callgrind_instructions", &R::callgrind_instructions),
+      column<Record>("callgrind_l1_misses", &R::callgrind_l1_misses),
+      column<Record>("callgrind_ll_misses", &R::callgrind_ll_misses),
+      column<Record>("callgrind_branch_misses", &R::callgrind_branch_misses),
   };
 }
 

@@ -5,6 +5,7 @@
 #include "algorithms/proof_trace.h"
 #include "base/cpu_clock.h"
 #include "geometry/convex_hull.h"
+#include "harness/run/callgrind/marks.h"
 #include "harness/run/machine/available_memory.h"
 #include "harness/run/machine/peak_memory.h"
 #include "harness/run/repeated_timing.h"
@@ -45,6 +46,19 @@ Solution execute(const Request& request, Points points, Context& context) {
   return request.algorithm->function(points, context);
 }
 
+// The first execution alone: how many follow depends on the machine, and what a later one finds in the allocator, too.
+Solution execute_counted(const Request& request, Points points, Context& context, EventCounts& counts) {
+  std::optional<EventCounter> counter;
+  if (request.threads == 1) counter.emplace();
+  Solution solution;
+  {
+    const CallgrindMark mark;
+    solution = execute(request, points, context);
+  }
+  if (counter) counts = counter->stop();
+  return solution;
+}
+
 // Another process is started once: it pays for its start each time.
 Execution execute_outside(const Request& request, Points points) {
   Context context = make_context(request, points.size());
@@ -73,10 +87,13 @@ Execution execute_repeatedly(const Request& request, Points points, double min_t
   Execution execution;
   Context context = make_context(request, points.size());
   reset_peak_memory();
+  bool is_first = true;
   const RepeatedTiming timing = time_repeatedly(
       [&] {
         execution.solution = {};  // so that the peak of memory is that of one execution
-        execution.solution = execute(request, points, context);
+        const bool counts = std::exchange(is_first, false);
+        execution.solution =
+            counts ? execute_counted(request, points, context, execution.counts) : execute(request, points, context);
       },
       min_time_s);
   execution.wall_time_s = timing.wall_time_s;

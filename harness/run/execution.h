@@ -10,6 +10,7 @@
 
 #include "algorithms/algorithm.h"
 #include "geometry/point_set.h"
+#include "harness/run/machine/event_counts.h"
 
 namespace mwt {
 
@@ -43,6 +44,7 @@ struct Execution {
   double cpu_time_s = 0;  ///< of the whole process: all threads
   std::uint64_t peak_rss_bytes = 0;
   std::uint64_t iterations = 1;  ///< executions by which the times were taken
+  EventCounts counts;            ///< of the first execution; none with several threads
 };
 
 /// The solution alone, with nothing measured; may be called from any thread. Throws what the algorithm throws.
@@ -53,7 +55,8 @@ struct Execution {
 [[nodiscard]] Execution execute_once(const Request& request, Points points);
 
 /// As many executions as it takes to time one: exactly one if that uses `min_time_s` of CPU time, else as
-/// time_repeatedly() does. For repeated ones the times include releasing the previous solution.
+/// time_repeatedly() does. For repeated ones the times include releasing the previous solution. The first execution is
+/// where events are counted, and callgrind counts if the program runs under it (callgrind/marks.h).
 [[nodiscard]] Execution execute_repeatedly(const Request& request, Points points, double min_time_s);
 
 }  // namespace mwt

@@ -14,7 +14,9 @@
 
 #include "base/error.h"
 #include "harness/io/given_triangulation.h"
+#include "harness/rating/counted_run.h"
 #include "harness/rating/isolated_run.h"
+#include "harness/records/profile_folder.h"
 #include "harness/records/proof_folder.h"
 #include "harness/run/interrupt.h"
 #include "harness/run/process_pool.h"
@@ -242,10 +244,40 @@ class PlanExecution {
     }
     const Timing timing{context_.study.min_time_s, context_.study.measures_delaunay_time};
     start_isolated_run(pool_, request, *ready.instance, context_.study.limits, timing,
-                       [this, &run, instance_id](RatedRun ended) {
+                       [this, ready, request](const RatedRun& ended) {
                          if (is_failure(ended.status) && is_interrupted_about_now()) return;
-                         record(run, instance_id, std::move(ended));
+                         if (is_to_be_counted(*ready.run, request, ended)) {
+                           count(ready, request, ended);
+                         } else {
+                           record(*ready.run, ready.instance->id, ended);
+                         }
                        });
+  }
+
+  [[nodiscard]] bool is_to_be_counted(const PlannedRun& run, const Request& request, const RatedRun& ended) const {
+    const bool is_wanted = plan_.instances[run.instance].n <= context_.study.max_counted_n;
+    return is_wanted && run.repetition < kCountedRepetitions && can_be_counted(ended, request);
+  }
+
+  // Executes the run once more under callgrind; it is recorded with what that counts, or without.
+  void count(const ReadyRun& ready, const Request& request, const RatedRun& ended) {
+    start_counted_run(pool_, context_.program, request, *ready.instance, context_.study.limits, ended,
+                      [this, ready, ended](const CountedRun& counted) {
+                        RatedRun run = ended;
+                        if (counted.profile) {
+                          const CallgrindCounts& counts = counted.profile->counts;
+                          run.callgrind_instructions = counts.instructions;
+                          run.callgrind_l1_misses = counts.l1_misses;
+                          run.callgrind_ll_misses = counts.ll_misses;
+                          run.callgrind_branch_misses = counts.branch_misses;
+                          write_profile(folder_.path(), ready.run->run_id, counted.profile->functions);
+                        } else {
+                          progress_.announce("warning: " + ready.run->algorithm->name + " on " +
+                                             plan_.instances[ready.run->instance].label() +
+                                             " is not counted: " + counted.why_not);
+                        }
+                        record(*ready.run, ready.instance->id, std::move(run));
+                      });
   }
 
   // Throws InputError: the given start is no triangulation of the instance.

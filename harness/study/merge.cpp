@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "harness/io/text/text.h"
 #include "harness/records/known_optima.h"
+#include "harness/records/profile_folder.h"
 #include "harness/records/proof_folder.h"
 #include "harness/study/plan.h"
 
@@ -183,6 +184,7 @@ MergeOutcome merge_results(const MergeOptions& options, const Catalogue& catalog
   MergedRecords merged = Merger(parts, make_plan(study, catalogue)).merge();
   write_records(options.target, merged.records, options.folder_use);
   copy_proofs(options.folders, options.target, merged.records.instances);
+  copy_profiles(options.folders, options.target, merged.records.runs);
   MergeOutcome outcome;
   outcome.runs = merged.records.runs.size();
   outcome.contradictions = std::move(merged.contradictions);

@@ -15,6 +15,7 @@ struct RowContext {
   const Study& study;
   const EnvironmentRecord& environment;
   std::map<std::string, double> command_starts{};  ///< seconds, by the names of commands (command_starts.h)
+  std::string program{};                           ///< a path of mwt, which is run under callgrind
 };
 
 /// The row of a run, recorded now. `instance_id` is empty if there was no instance.

@@ -3,13 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "base/error.h"
+#include "harness/rating/counted_run.h"
 #include "harness/rating/optimum_search.h"
 #include "harness/records/environment.h"
+#include "harness/records/profile_folder.h"
 #include "harness/records/proof_folder.h"
 #include "harness/run/interrupt.h"
 #include "harness/run/machine/machine_watch.h"
@@ -65,6 +68,18 @@ void require_planned(const RunOptions& options, const ResultsFolder& folder, con
   }
 }
 
+void require_valgrind(const Study& study) {
+  if (study.max_counted_n > 0 && !has_valgrind())
+    throw InputError(
+        "study " + study.name +
+        ": counts = \"callgrind\" needs valgrind; install it (apt-get install valgrind), or delete 'counts'");
+}
+
+std::string own_program() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).string();
+}
+
 void announce_plan(const Study& study, const RunOptions& options, const Plan& plan, const ResultsFolder& folder,
                    const EnvironmentRecord& environment, std::ostream& out) {
   const std::string shard = options.shard.text();
@@ -81,6 +96,7 @@ void announce_plan(const Study& study, const RunOptions& options, const Plan& pl
 
 StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
   static_cast<void>(optimum_sources_for(catalogue, study.optimum_sources, kNoIndex));  // before the folder is made
+  require_valgrind(study);
   const Plan whole = make_plan(study, catalogue);
   Plan plan = options.instances ? part_of(whole, *options.instances) : part_of(whole, options.shard);
   if (options.only_optima) plan.runs.clear();
@@ -92,6 +108,7 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   require_same_build(options, folder, plan, environment);
   folder.append(environment);
   if (study.max_proof_n > 0) prepare_proof_folder(options.folder);
+  if (study.max_counted_n > 0) prepare_profile_folder(options.folder);
   announce_plan(study, options, plan, folder, environment, out);
 
   const InterruptWatch interrupt_watch;
@@ -104,7 +121,8 @@ StudyOutcome run_study(const Study& study, const Catalogue& catalogue, const Run
   }
   OptimumCache* const cache_if_any = cache ? &*cache : nullptr;
   StudyResults results(folder, cache_if_any, announce);
-  const RowContext context{study, environment, measure_command_starts(study, plan, folder.run_ids(), announce)};
+  const RowContext context{study, environment, measure_command_starts(study, plan, folder.run_ids(), announce),
+                           own_program()};
   execute_plan(plan, catalogue, context, folder, options.jobs, cache_if_any, progress, results);
   progress.finish();
   for (const std::string& warning : machine_watch.warnings()) out << "  warning: " << warning << '\n';

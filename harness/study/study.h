@@ -40,6 +40,9 @@ struct StudyCommand {
   std::string content_hash;  ///< of the command and the files that it names
 };
 
+/// The first repetitions of a run are counted, each by itself: the second confirms the first.
+inline constexpr int kCountedRepetitions = 2;
+
 struct Study {
   std::string name;
   std::string summary;
@@ -55,6 +58,7 @@ struct Study {
   int threads = 1;
   double min_time_s = 0.005;  ///< CPU time; shorter executions are repeated until they fill it (repeated_timing.h)
   bool measures_delaunay_time = false;  ///< every run also times CGAL's Delaunay triangulation of its points
+  std::size_t max_counted_n = 0;        ///< runs on at most so many points are counted under callgrind (counted_run.h)
   RunLimits limits;
   RunLimits optimum_limits;
   bool seeks_optimum = true;

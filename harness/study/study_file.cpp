@@ -283,6 +283,26 @@ void read_proofs(TableReader& reader, Study& study) {
     reader.fail(*node, "'proofs' are of optima, which this study does not seek; delete 'seek = false'");
 }
 
+// "callgrind", or { tool = "callgrind", max_n = N }.
+void read_counts(TableReader& reader, Study& study) {
+  const toml::node* const node = reader.find("counts");
+  if (node == nullptr) return;
+  constexpr std::size_t kUsualMaxN = 1000;
+  study.max_counted_n = kUsualMaxN;
+  std::string tool;
+  if (const toml::table* const table = node->as_table()) {
+    TableReader counts(reader.file(), *table, "'counts'", place_of(reader.file(), node->source()));
+    tool = counts.text("tool");
+    if (const toml::node* const max_n = counts.find("max_n")) study.max_counted_n = index_of(counts, *max_n, "max_n");
+    counts.refuse_unknown_keys();
+  } else {
+    tool = reader.text_of(*node, "counts");
+  }
+  if (tool != "callgrind") reader.fail(*node, "'counts' has the tool 'callgrind' alone, not '" + tool + "'");
+  if (study.threads != 1)
+    reader.fail(*node, "'counts' are of one thread: with several they depend on who waits for whom; delete 'threads'");
+}
+
 void read_optimum(TableReader& reader, Study& study) {
   read_limits(reader, study.optimum_limits);
   reader.read_flag("seek", study.seeks_optimum);
@@ -346,6 +366,7 @@ Study read_root(const std::string& path, const toml::table& root) {
   reader.read_count("threads", study.threads);
   reader.read_positive("min_time_s", study.min_time_s);
   reader.read_flag("delaunay_time", study.measures_delaunay_time);
+  read_counts(reader, study);
   bool for_reports = false;  // which read it with judges_claims()
   reader.read_flag("claims", for_reports);
   read_families(reader, study);

@@ -170,5 +170,21 @@ TEST(FindStudy, KnowsTheProjectsStudiesAndTakesPaths) {
   EXPECT_THROW(static_cast<void>(find_study_file("no_such_study")), InputError);
 }
 
+TEST(StudyFile, Counts) {
+  const auto max_counted_n = [](const std::string& counts) {
+    return read(counts + '\n' + kMinimal + "sizes = [10]\n").max_counted_n;
+  };
+  EXPECT_EQ(max_counted_n(""), 0u);
+  EXPECT_EQ(max_counted_n("counts = \"callgrind\""), 1000u);
+  EXPECT_EQ(max_counted_n("counts = { tool = \"callgrind\", max_n = 50 }"), 50u);
+  EXPECT_NE(complaint("counts = \"perf\"\n" + kMinimal + "sizes = [10]\n")
+                .find("'counts' has the tool 'callgrind' alone, not 'perf'"),
+            std::string::npos)
+      << complaint("counts = \"perf\"\n" + kMinimal + "sizes = [10]\n");
+  EXPECT_NE(complaint("threads = 2\ncounts = \"callgrind\"\n" + kMinimal + "sizes = [10]\n")
+                .find("'counts' are of one thread"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace mwt

@@ -48,6 +48,13 @@ std::optional<double> failure(const RunRecord& run) {
   return is_failure(run.status) ? 1 : 0;
 }
 
+/// Of runs to their end: how far a run comes that is stopped depends on the machine.
+template <std::optional<std::uint64_t> RatedRun::*member>
+std::optional<double> count_of(const RunRecord& run) {
+  if (!is_repeatable(run) || !(run.*member)) return std::nullopt;
+  return static_cast<double>(*(run.*member));
+}
+
 std::vector<Measure> make_measures() {
   const auto wall = [](const RunRecord& run) { return if_ok(run, run.wall_time_s); };
   const auto cpu = [](const RunRecord& run) {
@@ -61,6 +68,14 @@ std::vector<Measure> make_measures() {
       {"alpha", "", Aspect::quality, true, proved_alpha},
       {"weight", "", Aspect::quality, true, weight_of},
       {"failures", "", Aspect::failures, true, failure},
+      {"instructions", "", Aspect::counts, true, count_of<&RatedRun::instructions>},
+      {"cycles", "", Aspect::counts, false, count_of<&RatedRun::cycles>},
+      {"cache_misses", "", Aspect::counts, false, count_of<&RatedRun::cache_misses>},
+      {"branch_misses", "", Aspect::counts, false, count_of<&RatedRun::branch_misses>},
+      {"callgrind_instructions", "", Aspect::counts, true, count_of<&RatedRun::callgrind_instructions>},
+      {"callgrind_l1_misses", "", Aspect::counts, true, count_of<&RatedRun::callgrind_l1_misses>},
+      {"callgrind_ll_misses", "", Aspect::counts, true, count_of<&RatedRun::callgrind_ll_misses>},
+      {"callgrind_branch_misses", "", Aspect::counts, true, count_of<&RatedRun::callgrind_branch_misses>},
   };
 }
 
@@ -72,6 +87,7 @@ std::string name_of(Aspect aspect) {
     case Aspect::memory: return "memory";
     case Aspect::quality: return "quality";
     case Aspect::failures: return "failures";
+    case Aspect::counts: return "counts";
   }
   return "";
 }

@@ -6,7 +6,17 @@
   const FIRST = 48, WIDTH = 300, HEIGHT = 60, EDGE = 5;
   const data = JSON.parse(document.getElementById("series-data").textContent);
   const place = document.getElementById("sparklines");
-  const chosen = { algorithm: "", family: "", measure: "", steps: false };
+  const chosen = { algorithm: "", family: "", measure: "", steps: false, lens: "" };
+  // A lens shows every series once, by its time or by its count, in the same place under both. The first measure of a list that there is.
+  const LENSES = { times: ["relative_time", "wall_time_s"], counts: ["callgrind_instructions", "instructions"] };
+  const measureOf = Object.fromEntries(Object.entries(LENSES).map(([lens, measures]) =>
+    [lens, measures.find((measure) => data.series.some((series) => series.measure === measure))]));
+  const cellOf = (series) => JSON.stringify([series.algorithm, series.instance, series.n]);
+  const placeOfCell = new Map();  // those with steps under either lens first, as in data.series
+  for (const series of data.series) {
+    if (Object.values(measureOf).includes(series.measure) && !placeOfCell.has(cellOf(series))) placeOfCell.set(cellOf(series), placeOfCell.size);
+  }
+  const seriesOf = new Map(data.series.map((series) => [cellOf(series) + series.measure, series]));
   let limit = FIRST;
 
   function add(parent, name, properties = {}) {
@@ -57,7 +67,7 @@
       const { nightly_runs, values, aspect } = this.series;
       const sorted = [...values].sort((a, b) => a - b), last = sorted.length - 1;
       // Of what has noise, spikes are cut off and less than two percent is not blown up; what is exact is shown whole.
-      const noisy = aspect === "time" || aspect === "memory";
+      const noisy = aspect === "time" || aspect === "memory" || aspect === "counts";
       const low = sorted[noisy ? Math.floor(0.05 * last) : 0], high = sorted[noisy ? Math.ceil(0.95 * last) : last];
       const span = this.span = Math.max(1.5 * (high - low), noisy ? 0.02 * high : 0) || 1;
       this.isConstant = sorted[0] === sorted[last];
@@ -108,11 +118,23 @@
       const before = position > 0 ? values[position - 1] : 0;
       const change = before > 0 ? ` (${values[position] >= before ? "+" : "−"}${Math.abs(100 * (values[position] / before - 1)).toFixed(1)}%)` : "";
       const step = steps.find((one) => one.nightly_run === nightly_runs[position]);
+      const other = this.otherLens(nightly_runs[position]);
       const text = `${nightly_run.date}, commit ${nightly_run.commit.slice(0, 10)}: ${readable(values[position], unit)}${change}` +
-        (step ? `; step ×${(step.after / step.before).toFixed(3)}` : "");
+        (step ? `; step ×${(step.after / step.before).toFixed(3)}` : "") + other;
       this.output.textContent = text;
       this.svg.setAttribute("aria-label", `${this.name}. ${text}`);
       this.here.setAttribute("d", `M${this.x(nightly_runs[position])} ${this.y(values[position])}h0.01`);
+    }
+
+    // What the other lens shows of that nightly run: whether a change of time comes with one of the instructions.
+    otherLens(nightly_run) {
+      const lens = Object.keys(LENSES).find((one) => one !== chosen.lens && chosen.lens);
+      const series = lens && seriesOf.get(cellOf(this.series) + measureOf[lens]);
+      const position = series ? series.nightly_runs.indexOf(nightly_run) : -1;
+      if (position < 0) return "";
+      const before = position > 0 ? series.values[position - 1] : 0;
+      const change = before > 0 ? ` (${series.values[position] >= before ? "+" : "−"}${Math.abs(100 * (series.values[position] / before - 1)).toFixed(1)}%)` : "";
+      return ` | ${series.measure} ${readable(series.values[position], series.unit)}${change}`;
     }
 
     follow(event) {
@@ -134,9 +156,11 @@
   }
 
   function matching() {
-    return data.series.filter((series) =>
+    const found = data.series.filter((series) =>
+      (!chosen.lens || series.measure === measureOf[chosen.lens]) &&
       (!chosen.algorithm || series.algorithm === chosen.algorithm) && (!chosen.family || series.instance === chosen.family) &&
       (!chosen.measure || series.measure === chosen.measure) && (!chosen.steps || series.steps.length > 0));
+    return chosen.lens ? found.sort((a, b) => placeOfCell.get(cellOf(a)) - placeOfCell.get(cellOf(b))) : found;
   }
 
   function show() {
@@ -151,6 +175,7 @@
     Object.assign(chosen, changes);
     for (const [key, select] of Object.entries(selects)) select.value = chosen[key];
     onlySteps.setAttribute("aria-pressed", String(chosen.steps));
+    for (const [lens, button] of Object.entries(lenses)) button.setAttribute("aria-pressed", String(chosen.lens === lens));
     limit = FIRST;
     show();
   }
@@ -161,7 +186,14 @@
     const select = selects[key] = add(add(controls, "label", { textContent: key + " " }), "select");
     add(select, "option", { value: "", textContent: "all" });
     for (const value of [...new Set(data.series.map((series) => series[field]))].sort()) add(select, "option", { value, textContent: value });
-    select.addEventListener("change", () => choose({ [key]: select.value }));
+    select.addEventListener("change", () => choose({ [key]: select.value, ...(key === "measure" ? { lens: "" } : {}) }));
+  }
+  const lenses = {};
+  if (measureOf.times && measureOf.counts) {
+    for (const lens of Object.keys(LENSES)) {
+      lenses[lens] = add(controls, "button", { type: "button", textContent: lens, title: measureOf[lens] });
+      lenses[lens].addEventListener("click", () => choose({ lens: chosen.lens === lens ? "" : lens, measure: "" }));
+    }
   }
   const onlySteps = add(controls, "button", { type: "button", textContent: "only with steps" });
   onlySteps.addEventListener("click", () => choose({ steps: !chosen.steps }));
@@ -170,7 +202,7 @@
   const more = add(place.parentElement, "button", { type: "button", textContent: "show more series" });
   more.addEventListener("click", () => { limit *= 4; show(); });
   document.querySelectorAll("a[data-algorithm]").forEach((link) => {
-    link.addEventListener("click", () => choose({ algorithm: link.dataset.algorithm, family: "", measure: link.dataset.measure, steps: true }));
+    link.addEventListener("click", () => choose({ algorithm: link.dataset.algorithm, family: "", measure: link.dataset.measure, steps: true, lens: "" }));
   });
   choose({});
 })();

@@ -64,6 +64,12 @@ if(NOT MWT_SANITIZE)
   add_test(NAME harness.cluster COMMAND ${cluster_tests}/with_slurm.sh 4 /usr/bin/python3 ${cluster_tests}/cluster_test.py $<TARGET_FILE:mwt>)
   set_tests_properties(harness.cluster PROPERTIES LABELS slow TIMEOUT 3000 SKIP_RETURN_CODE 77)
 endif()
+# A second program with 1% more instructions in one kernel, whose counts must tell it from the first.
+if(NOT MWT_SANITIZE)
+  add_test(NAME harness.more_instructions COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/harness/tracking/testing/more_instructions_test.py
+                                                  ${PROJECT_BINARY_DIR})
+  set_tests_properties(harness.more_instructions PROPERTIES LABELS slow TIMEOUT 1200 SKIP_RETURN_CODE 77)
+endif()
 # What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
 # Optimised builds only: sanitizers find nothing in Python.
 if(NOT MWT_SANITIZE)

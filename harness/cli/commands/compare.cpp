@@ -9,6 +9,8 @@
 #include "harness/cli/commands/commands.h"
 #include "harness/io/output_file.h"
 #include "harness/run/catalogue.h"
+#include "harness/tracking/algorithms/algorithm_pair.h"
+#include "harness/tracking/algorithms/algorithm_pair_text.h"
 #include "harness/tracking/comparison/comparison.h"
 #include "harness/tracking/comparison/comparison_text.h"
 #include "harness/tracking/comparison/interleaved_builds.h"
@@ -23,6 +25,8 @@ struct CompareArguments {
   std::optional<std::string> build_a;
   std::optional<std::string> build_b;
   std::optional<std::string> study;
+  std::optional<std::string> algorithm_a;
+  std::optional<std::string> algorithm_b;
   std::vector<std::string> algorithms;
   std::optional<std::string> folder;
   std::optional<std::string> verdict;
@@ -75,7 +79,7 @@ Comparison compare_folders(const CompareArguments& options) {
 }
 
 /// Both builds, ready to be run in turn. Progress goes to standard error: standard output is for the verdict.
-InterleavedBuilds make_builds(const CompareArguments& options, const Study& study) {
+InterleavedBuilds make_builds(const CompareArguments& options, const Study& study, bool with_counts) {
   InterleavedOptions interleaved;
   interleaved.build_a = *options.build_a;
   interleaved.build_b = *options.build_b;
@@ -83,16 +87,22 @@ InterleavedBuilds make_builds(const CompareArguments& options, const Study& stud
   interleaved.algorithms = options.algorithms;
   interleaved.seed = options.seed;
   interleaved.budget_s = options.budget_s;
+  interleaved.with_counts = with_counts;
   interleaved.is_terminal = isatty(STDERR_FILENO) == 1;
   return {study, Catalogue::built_in(), interleaved, std::cerr};
 }
 
 int compare_builds(const CompareArguments& options) {
-  InterleavedBuilds builds = make_builds(options, read_study(find_study_file(*options.study)));
+  InterleavedBuilds builds = make_builds(options, read_study(find_study_file(*options.study)), true);
   if (!builds.run(builds.cells(), options.repetitions)) return kExitInterrupted;
   CompareOptions how = compare_options(options);
   how.paired = true;
   return print_verdict(compare(read_results(builds.base_folder()), read_results(builds.new_folder()), how), options);
+}
+
+bool has_counts(const std::string& folder) {
+  return std::ranges::any_of(read_results(folder).runs,
+                             [](const RunRecord& run) { return run.callgrind_instructions.has_value(); });
 }
 
 /// Folders first; what they leave open is run by both builds in turn, and these results count.
@@ -100,7 +110,9 @@ int compare_and_settle(const CompareArguments& options) {
   Settled settled{compare_folders(options), std::nullopt, {}};
   std::set<TrackedCell> open = settled.folders.open_cells();
   if (open.empty()) return print_verdict(settled, options);
-  InterleavedBuilds builds = make_builds(options, read_study(find_study_file(*options.study)));
+  // A base without counts may be of a build that does not know how to count.
+  const bool with_counts = has_counts(options.folders[0]) && has_counts(options.folders[1]);
+  InterleavedBuilds builds = make_builds(options, read_study(find_study_file(*options.study)), with_counts);
   const std::set<TrackedCell> known = builds.cells();
   std::set_difference(open.begin(), open.end(), known.begin(), known.end(),
                       std::inserter(settled.not_run, settled.not_run.end()));
@@ -112,8 +124,27 @@ int compare_and_settle(const CompareArguments& options) {
   return print_verdict(settled, options);
 }
 
+/// Two algorithms of one folder. What is for builds would do nothing here.
+int compare_two_algorithms(const CompareArguments& options) {
+  if (!options.algorithm_a || !options.algorithm_b) throw InputError("--algorithm-a and --algorithm-b belong together");
+  if (options.folders.size() != 1) throw InputError("with --algorithm-a and --algorithm-b give one folder of results");
+  const bool has_builds = options.build_a || options.build_b || options.study || options.folder || options.budget_s;
+  if (has_builds || options.threshold || options.paired || options.force || options.every_cell)
+    throw InputError(
+        "--algorithm-a and --algorithm-b compare algorithms, not builds: of the other options they take --measure, "
+        "--json, --markdown and --verdict");
+  const AlgorithmPair pair = compare_algorithms(read_results(options.folders.front()),
+                                                {*options.algorithm_a, *options.algorithm_b, options.measure});
+  std::cout << (options.json       ? algorithm_pair_json(pair)
+                : options.markdown ? algorithm_pair_markdown(pair)
+                                   : algorithm_pair_text(pair));
+  if (options.verdict) write_file_atomically(*options.verdict, algorithm_pair_json(pair));
+  return kExitOk;
+}
+
 int run(const CompareArguments& options) {
   if (options.json && options.markdown) throw InputError("give --json or --markdown, not both");
+  if (options.algorithm_a || options.algorithm_b) return compare_two_algorithms(options);
   if (!options.build_a && !options.build_b) return print_verdict(compare_folders(options), options);
   if (!options.build_a || !options.build_b) throw InputError("--build-a and --build-b belong together");
   if (!options.study) throw InputError("give --study: the study that the two builds run");
@@ -125,11 +156,15 @@ int run(const CompareArguments& options) {
 Command compare_command() {
   const auto options = std::make_shared<CompareArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.optional_arguments("dir", options->folders, kFolder, "BASE NEW: two folders of results");
+    declared.optional_arguments("dir", options->folders, kFolder,
+                                "BASE NEW: two folders of results; one folder with --algorithm-a and --algorithm-b");
     declared.option("--build-a", options->build_a, kFolder,
                     "folder of the base build; runs both builds in turn. With BASE NEW: only what these leave open");
     declared.option("--build-b", options->build_b, kFolder, "folder of the new build");
     declared.option("--study", options->study, study_kind(), "with builds: the study to run");
+    declared.option("--algorithm-a", options->algorithm_a, algorithm_kind(),
+                    "compare two algorithms of one folder, paired by instance: the first, with parameters if need be");
+    declared.option("--algorithm-b", options->algorithm_b, algorithm_kind(), "the second");
     declared.repeated("--algorithm", options->algorithms, algorithm_kind(),
                       "with builds: run only this algorithm of the study; may be repeated");
     declared.option("--out", options->folder, kFolder,
@@ -148,7 +183,7 @@ Command compare_command() {
     declared.option("--verdict", options->verdict, kFile, "also write the JSON object to this file");
     declared.flag("--all", options->every_cell, "list the times of every cell");
   };
-  return {"compare", "Compare two results, or two builds run in turn; exit 1 on a regression", declare,
+  return {"compare", "Compare two results, two builds run in turn (exit 1 on a regression), or two algorithms", declare,
           [options] { return run(*options); }};
 }
 

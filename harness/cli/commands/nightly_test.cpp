@@ -15,7 +15,8 @@ case "$1" in
   compare)
     [ "$(cat compare_code)" -le 1 ] || exit "$(cat compare_code)"
     while [ "$1" != --verdict ]; do shift; done
-    printf '{\n "outcome": "%s",\n "suspected": {\n  "outcome": "other",\n }}' "$(cat outcome)" >"$2"
+    printf '{\n "outcome": "%s",\n "suspected": {\n  "outcome": "other",\n' "$(cat outcome)" >"$2"
+    printf '  "base_commit": "%s",\n  "new_commit": "%s",\n }}' $(cat commits) >>"$2"
     echo "text of the comparison"
     exit "$(cat compare_code)" ;;
   history) echo "nothing has changed" ;;
@@ -38,6 +39,8 @@ class Nightly : public testing::CommandTest {
     write("run_code", "0");
     write("outcome", "not slower");
     write("compare_code", "0");
+    write("commits", "aaa bbb");
+    write("loadavg", "0.05 0.10 0.10 1/100 1000\n");
   }
 
   void write_program(const std::string& name, const std::string& text) const {
@@ -47,7 +50,8 @@ class Nightly : public testing::CommandTest {
 
   /// A second later than any before: nightly runs are named by the second.
   int nightly_run(const std::string& arguments = "") {
-    return shell("sleep 1.1; ./nightly " + arguments + " >.out 2>.err");
+    return shell("sleep 1.1; MWT_NIGHTLY_LOADAVG=loadavg MWT_NIGHTLY_WAIT_S=0 ./nightly " + arguments +
+                 " >.out 2>.err");
   }
 
   [[nodiscard]] std::string accepted() const { return link("accepted"); }
@@ -127,6 +131,34 @@ TEST_F(Nightly, FailedRunsAreTheComparisonsMatter) {
   EXPECT_NE(verdict().find("Some of its runs failed"), std::string::npos)
       << "nothing to compare the first nightly run with";
   EXPECT_EQ(nightly_run(), 0) << read(".err");
+}
+
+TEST_F(Nightly, ABusyMachineIsSaid) {
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
+  EXPECT_EQ(verdict().find("busy"), std::string::npos) << verdict();
+  write("loadavg", "500.25 400.00 300.00 1/100 1000\n");
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
+  EXPECT_NE(verdict().find("The machine was busy with other programs when the study began (load 500.25)."),
+            std::string::npos)
+      << verdict();
+  EXPECT_NE(dashboard().find("(load 500.25)"), std::string::npos) << dashboard();
+}
+
+TEST_F(Nightly, TheVerdictListsTheCommitsBetween) {
+  ASSERT_EQ(shell("git init -q . && git config user.name N && git config user.email n@example.org && "
+                  "for i in 1 2 3; do git commit -q --allow-empty -m \"change $i\"; done && "
+                  "echo $(git rev-parse HEAD~2) $(git rev-parse HEAD) >commits"),
+            0);
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
+  EXPECT_EQ(verdict().find("Commits between"), std::string::npos) << "there was nothing to compare with";
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
+  const std::size_t list = verdict().find("## Commits between\n\n- ");
+  ASSERT_NE(list, std::string::npos) << verdict();
+  EXPECT_LT(verdict().find(" change 3 (N)", list), verdict().find(" change 2 (N)", list));
+  EXPECT_EQ(verdict().find(" change 1 (N)"), std::string::npos);
+  write("commits", "aaa bbb");
+  EXPECT_EQ(nightly_run(), 0) << read(".err");
+  EXPECT_NE(verdict().find("- unknown: aaa..bbb are not both in this repository"), std::string::npos) << verdict();
 }
 
 TEST_F(Nightly, TwoNightsDoNotRunAtATime) {

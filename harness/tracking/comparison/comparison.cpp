@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "harness/io/text/text.h"
 #include "harness/records/machine_state.h"
+#include "harness/records/profile_folder.h"
 #include "harness/statistics/quantile.h"
 #include "harness/statistics/shift.h"
 
@@ -69,6 +70,12 @@ bool has_cpu_times(const Runs& runs) {
 
 MachineState state_of(const ResultSet& results) { return machine_state_of(results.runs, results.environments); }
 
+std::string commit_of(const ResultSet& results) {
+  std::set<std::string> commits;
+  for (const RunRecord& run : results.runs) commits.insert(run.git_commit);
+  return commits.size() == 1 && !commits.begin()->empty() ? *commits.begin() : "unknown";
+}
+
 std::string cell_label(const TrackedCell& cell) { return algorithm_label(cell) + " on " + instance_label(cell); }
 
 bool succeeded(const Runs& runs) {
@@ -88,15 +95,20 @@ class Comparer {
   Comparer(const ResultSet& base, const ResultSet& now, const CompareOptions& options)
       : base_(base), now_(now), runs_of_base_(by_cell(base.runs)), runs_of_now_(by_cell(now.runs)) {
     comparison_.options = options;
+    comparison_.base_commit = commit_of(base);
+    comparison_.new_commit = commit_of(now);
+    profiles_.base = [&base](const RunRecord& run) { return read_profile(base.folder, run.run_id); };
+    profiles_.now = [&now](const RunRecord& run) { return read_profile(now.folder, run.run_id); };
   }
 
   Comparison compare() {
     collect_common_cells();
     for (const CommonCell& cell : common_) {
-      const auto findings = exact_findings(cell.cell, cell.base, cell.now, comparison_.options.threshold);
+      const auto findings = exact_findings(cell.cell, cell.base, cell.now, comparison_.options.threshold, profiles_);
       comparison_.findings.insert(comparison_.findings.end(), findings.begin(), findings.end());
     }
-    find_vanished_algorithms();
+    find_what_vanished();
+    note_counts();
     name_failing_cells();
     compare_times();
     return std::move(comparison_);
@@ -138,6 +150,23 @@ class Comparer {
     name_cells(comparison_.only_in_new, "only in the new results");
   }
 
+  void note_counts() {
+    const auto is_counted = [](const Runs& runs) {
+      return std::ranges::any_of(kComparedCounts,
+                                 [&](const char* name) { return !values_of(measure_named(name), runs).empty(); });
+    };
+    std::size_t counted_cells = 0;
+    for (const CommonCell& cell : common_) counted_cells += is_counted(cell.base) && is_counted(cell.now) ? 1 : 0;
+    if (counted_cells == 0) return;
+    note(fmt::format("instructions were counted on both sides in {} of {}: a difference of {}% counts", counted_cells,
+                     counted(common_.size(), "cell"), 100 * kCountThreshold));
+    for (const ExactFinding& finding : comparison_.findings) {
+      if (finding.is_confirmed) continue;
+      note("counted once on a side, and not confirmed by a second run: " + cell_label(finding.cell) + ": " +
+           finding.text);
+    }
+  }
+
   /// What failed before and fails now is no finding, but it is listed.
   void name_failing_cells() {
     std::vector<std::string> failing;
@@ -150,17 +179,24 @@ class Comparer {
     name_cells(failing, "with failed runs on both sides");
   }
 
-  /// An algorithm of the base without any cell in the new results: whoever relies on it misses it.
-  void find_vanished_algorithms() {
+  /// An algorithm of the base without any cell in the new results, or a cell of one that has others: whoever relies on
+  /// it misses it.
+  void find_what_vanished() {
+    std::set<std::string> present;
+    for (const auto& [cell, runs] : runs_of_now_) present.insert(algorithm_label(cell));
     std::map<std::string, std::pair<TrackedCell, std::size_t>> vanished;
     for (const auto& [cell, runs] : runs_of_base_) {
+      if (runs_of_now_.contains(cell)) continue;
+      if (present.contains(algorithm_label(cell))) {
+        comparison_.findings.push_back({cell, Aspect::failures, true, "is not run any more"});
+        continue;
+      }
       TrackedCell algorithm = cell;
       algorithm.generator = algorithm.generator_params = "";
       algorithm.n = 0;
       algorithm.seed = 0;
       ++vanished.try_emplace(algorithm_label(cell), algorithm, 0).first->second.second;
     }
-    for (const auto& [cell, runs] : runs_of_now_) vanished.erase(algorithm_label(cell));
     for (const auto& [label, algorithm] : vanished) {
       const std::string cells = counted(algorithm.second, "cell");
       comparison_.findings.push_back(
@@ -315,6 +351,7 @@ class Comparer {
   std::map<TrackedCell, Runs> runs_of_base_;
   std::map<TrackedCell, Runs> runs_of_now_;
   std::vector<CommonCell> common_;
+  Profiles profiles_;
   Comparison comparison_;
 };
 
@@ -323,12 +360,13 @@ bool is_regression(const TimeRow& row) { return row.verdict == Verdict::regressi
 }  // namespace
 
 bool Comparison::has_sure_regression() const {
-  return std::any_of(findings.begin(), findings.end(),
-                     [](const ExactFinding& finding) { return finding.is_regression && !finding.depends_on_speed; });
+  return std::any_of(findings.begin(), findings.end(), [](const ExactFinding& finding) {
+    return finding.is_regression && finding.is_confirmed && !finding.depends_on_speed;
+  });
 }
 
 bool Comparison::has_regression() const {
-  const auto is_worse = [](const ExactFinding& finding) { return finding.is_regression; };
+  const auto is_worse = [](const ExactFinding& finding) { return finding.is_regression && finding.is_confirmed; };
   return std::any_of(findings.begin(), findings.end(), is_worse) ||
          std::any_of(algorithms.begin(), algorithms.end(), is_regression) ||
          std::any_of(cells.begin(), cells.end(), is_regression);
@@ -358,7 +396,7 @@ std::set<TrackedCell> Comparison::cells_that_are(const std::set<Verdict>& verdic
 std::set<TrackedCell> Comparison::open_cells() const {
   std::set<TrackedCell> open = cells_that_are({Verdict::regression, Verdict::unclear});
   for (const ExactFinding& finding : findings) {
-    if (finding.is_regression && finding.depends_on_speed) open.insert(finding.cell);
+    if (finding.is_regression && (finding.depends_on_speed || !finding.is_confirmed)) open.insert(finding.cell);
   }
   return open;
 }

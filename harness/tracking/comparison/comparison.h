@@ -56,6 +56,8 @@ struct Comparison {
   std::size_t cells_of_other_machines = 0;  ///< of these, those whose times were not compared because machines differ
   std::vector<std::string> only_in_base;    ///< "greedy on uniform n=100 seed=1"
   std::vector<std::string> only_in_new;
+  std::string base_commit;  ///< "unknown" if several builds ran, or the records do not have it
+  std::string new_commit;
   std::vector<std::string> untimed;  ///< cells with successful runs, but without times that could be compared
 
   [[nodiscard]] Outcome outcome() const;
@@ -78,8 +80,8 @@ struct Comparison {
 /// relative_time if every cell has it, else again cpu_time_s or wall_time_s. Only repetitions that succeeded count.
 ///
 /// Cells whose runs all come from one and the same binary on both sides are reported as such and their times not
-/// judged; nor are times of cells that different machines ran (machine_of()). An algorithm that has no runs any more is
-/// a finding. Deterministic.
+/// judged; nor are times of cells that different machines ran (machine_of()). An algorithm or a
+/// cell of the base that has no runs any more is a finding: whoever relies on it misses it. Deterministic.
 /// Throws InputError if the two have no cell in common, or are of different schema versions.
 [[nodiscard]] Comparison compare(const ResultSet& base, const ResultSet& now, const CompareOptions& options);
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "base/error.h"
 #include "harness/tracking/comparison/comparison_text.h"
@@ -285,6 +286,31 @@ TEST(Compare, AnAlgorithmThatVanishedIsARegression) {
                                "has 8 cells)"))
       << comparison_text(comparison, false);
   EXPECT_FALSE(compare(results_of(fewer, 0), results_of({}, 1), {}).has_sure_regression()) << "a new one";
+}
+
+TEST(Compare, ACellThatVanishedIsARegressionByName) {
+  ResultSet fewer = results_of({}, 1);
+  std::erase_if(fewer.runs, [](const RunRecord& run) {
+    return run.algorithm == "greedy" && run.generator == "uniform" && run.n == 1000 && run.seed == 2;
+  });
+  const Comparison comparison = compare(results_of({}, 0), fewer, {});
+  EXPECT_TRUE(comparison.has_sure_regression());
+  EXPECT_TRUE(comparison_text(comparison, false)
+                  .starts_with("1 regression (greedy on uniform n=1000 seed=2: is not run any more)"))
+      << comparison_text(comparison, false);
+  EXPECT_EQ(comparison.outcome(), Outcome::regression);
+}
+
+TEST(Compare, TheVerdictNamesCommitsFactorAndInterval) {
+  const auto slower = [](int nightly_run, RunRecord& run, RandomEngine&) {
+    if (nightly_run == 1 && run.algorithm == "greedy") *run.wall_time_s *= 1.5;
+  };
+  const Comparison comparison = compare(results_of({}, 0, slower), results_of({}, 1, slower), {});
+  const std::string text = comparison_text(comparison, false);
+  EXPECT_TRUE(std::regex_search(text, std::regex("time of greedy x1\\.[45]\\d\\d \\(1\\.[345]\\d\\d \\.\\. "
+                                                 "1\\.[456]\\d\\d\\), by itself in \\d of 8 cells")))
+      << text;
+  EXPECT_NE(text.find("base: commit cccccccccc; new: commit cccccccccc"), std::string::npos) << text;
 }
 
 // What a nightly study is like: one algorithm became slower by a fifth, and the noise was taken for sameness.

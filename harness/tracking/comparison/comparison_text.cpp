@@ -53,7 +53,9 @@ std::string place_of(const ExactFinding& finding) {
 
 CsvRow finding_cells(const ExactFinding& finding) {
   return {algorithm_label(finding.cell), place_of(finding), finding.text,
-          finding.is_regression ? "regression" : "improvement"};
+          !finding.is_confirmed   ? "not confirmed"
+          : finding.is_regression ? "regression"
+                                  : "improvement"};
 }
 
 /// Which cells are listed.
@@ -74,7 +76,7 @@ struct Section {
 
 std::vector<Section> sections_of(const Comparison& comparison, Cells listed) {
   std::vector<Section> sections;
-  Section findings{"quality, memory, failures", kFindingHeader, {1, 2, 3}, {}};
+  Section findings{"quality, memory, failures, counts", kFindingHeader, {1, 2, 3}, {}};
   for (const ExactFinding& finding : comparison.findings) findings.rows.push_back(finding_cells(finding));
   Section algorithms{"times by algorithm (" + comparison.time_measure + ")", kAlgorithmHeader, {5}, {}};
   for (const TimeRow& row : comparison.algorithms) algorithms.rows.push_back(algorithm_cells(row));
@@ -94,6 +96,23 @@ std::string markdown_row(const CsvRow& cells) {
   return line + '\n';
 }
 
+/// " x1.150 (1.121 .. 1.180)".
+std::string factor_text(const TimeRow& row) {
+  return fmt::format(" x{:.3f} ({})", row.ratio.value, interval_text(row));
+}
+
+/// " in 3 of 8 cells": those that have the algorithm's verdict by themselves, too. Nothing of a row that is not sure.
+std::string cells_like(const Comparison& comparison, const TimeRow& algorithm) {
+  if (algorithm.verdict == Verdict::unclear) return "";
+  std::size_t cells = 0, alike = 0;
+  for (const TimeRow& row : comparison.cells) {
+    if (algorithm.algorithm != kAllAlgorithms && row.algorithm != algorithm.algorithm) continue;
+    ++cells;
+    alike += row.verdict == algorithm.verdict ? 1 : 0;
+  }
+  return fmt::format(", by itself in {} of {}", alike, counted(cells, "cell"));
+}
+
 /// The rows with this verdict to report: algorithms first; cells only of algorithms that are not among them.
 std::vector<std::string> reported_times(const Comparison& comparison, Verdict verdict) {
   std::vector<std::string> names;
@@ -101,12 +120,12 @@ std::vector<std::string> reported_times(const Comparison& comparison, Verdict ve
   for (const TimeRow& row : comparison.algorithms) {
     if (row.verdict != verdict) continue;
     algorithms.push_back(row.algorithm);
-    names.push_back("time of " + row.algorithm + " x" + fixed(row.ratio.value, 3));
+    names.push_back("time of " + row.algorithm + factor_text(row) + cells_like(comparison, row));
   }
   for (const TimeRow& row : comparison.cells) {
     const bool covered = std::find(algorithms.begin(), algorithms.end(), row.algorithm) != algorithms.end();
     if (row.verdict == verdict && !covered)
-      names.push_back(fmt::format("time of {} on {} x{:.3f}", row.algorithm, row.instance, row.ratio.value));
+      names.push_back(fmt::format("time of {} on {}{}", row.algorithm, row.instance, factor_text(row)));
   }
   return names;
 }
@@ -114,7 +133,7 @@ std::vector<std::string> reported_times(const Comparison& comparison, Verdict ve
 std::vector<std::string> reported(const Comparison& comparison, Verdict verdict) {
   std::vector<std::string> names = reported_times(comparison, verdict);
   for (const ExactFinding& finding : comparison.findings) {
-    if (finding.is_regression == (verdict == Verdict::regression))
+    if (finding.is_confirmed && finding.is_regression == (verdict == Verdict::regression))
       names.push_back(fmt::format("{} on {}: {}", algorithm_label(finding.cell), place_of(finding), finding.text));
   }
   return names;
@@ -134,11 +153,9 @@ Json json_of(const TimeRow& row) {
 }
 
 Json json_of(const ExactFinding& finding) {
-  return {{"algorithm", algorithm_label(finding.cell)},
-          {"instance", place_of(finding)},
-          {"aspect", name_of(finding.aspect)},
-          {"regression", finding.is_regression},
-          {"text", finding.text}};
+  return {{"algorithm", algorithm_label(finding.cell)}, {"instance", place_of(finding)},
+          {"aspect", name_of(finding.aspect)},          {"regression", finding.is_regression},
+          {"confirmed", finding.is_confirmed},          {"text", finding.text}};
 }
 
 template <class Rows>
@@ -158,6 +175,8 @@ Json json_of(const Comparison& comparison) {
           {"time_measure", comparison.time_measure},
           {"compared_cells", comparison.compared_cells},
           {"notes", comparison.notes},
+          {"base_commit", comparison.base_commit},
+          {"new_commit", comparison.new_commit},
           {"only_in_base", comparison.only_in_base},
           {"only_in_new", comparison.only_in_new},
           {"untimed", comparison.untimed},
@@ -180,10 +199,16 @@ std::vector<std::string> labels_of(const std::set<TrackedCell>& cells) {
   return labels;
 }
 
+constexpr std::size_t kShortCommit = 10;
 constexpr const char* kInTurn = "what these folders leave open, run by both builds in turn";
 
+std::string commits_text(const Comparison& comparison) {
+  return fmt::format("base: commit {}; new: commit {}", comparison.base_commit.substr(0, kShortCommit),
+                     comparison.new_commit.substr(0, kShortCommit));
+}
+
 std::string text_of(const Comparison& comparison, Cells listed) {
-  std::string text = verdict_line(comparison) + '\n';
+  std::string text = verdict_line(comparison) + '\n' + "  " + commits_text(comparison) + '\n';
   for (const std::string& note : comparison.notes) text += "  " + note + '\n';
   for (const Section& section : sections_of(comparison, listed)) {
     AlignedTable table(section.header, section.left_aligned);
@@ -194,7 +219,7 @@ std::string text_of(const Comparison& comparison, Cells listed) {
 }
 
 std::string markdown_of(const Comparison& comparison, Cells listed) {
-  std::string text = "**" + verdict_line(comparison) + "**\n\n";
+  std::string text = "**" + verdict_line(comparison) + "**\n\n- " + commits_text(comparison) + '\n';
   for (const std::string& note : comparison.notes) text += "- " + note + '\n';
   for (const Section& section : sections_of(comparison, listed)) {
     text += fmt::format("\n### {}\n\n{}{}", section.title, markdown_row(section.header),
@@ -233,7 +258,7 @@ std::string verdict_line(const Settled& settled) {
   std::string line = settled.in_turn ? verdict_line(*settled.in_turn) + " run in turn" : verdict_line(settled.folders);
   std::vector<std::string> worse;
   for (const ExactFinding& finding : settled.folders.findings) {
-    if (finding.is_regression && !finding.depends_on_speed)
+    if (finding.is_regression && finding.is_confirmed && !finding.depends_on_speed)
       worse.push_back(fmt::format("{} on {}: {}", algorithm_label(finding.cell), place_of(finding), finding.text));
   }
   if (settled.in_turn && !worse.empty())

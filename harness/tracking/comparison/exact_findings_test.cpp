@@ -120,5 +120,62 @@ TEST(ExactFindings, MemoryMustGrowClearlyInEveryRun) {
   EXPECT_FALSE(findings({more}, {good_run()})[0].is_regression);
 }
 
+RunRecord counted_run(std::uint64_t instructions) {
+  RunRecord run = good_run();
+  run.callgrind_instructions = instructions;
+  return run;
+}
+
+TEST(ExactFindings, OnePercentMoreInstructionsIsARegression) {
+  const auto more =
+      findings({counted_run(1'000'000), counted_run(1'000'010)}, {counted_run(1'010'020), counted_run(1'010'030)});
+  ASSERT_EQ(more.size(), 1u);
+  EXPECT_EQ(more[0].aspect, Aspect::counts);
+  EXPECT_TRUE(more[0].is_regression && more[0].is_confirmed);
+  EXPECT_EQ(more[0].text, "callgrind_instructions 1000005 -> 1010025 (x1.0100)");
+  const auto fewer =
+      findings({counted_run(1'010'030), counted_run(1'010'030)}, {counted_run(1'000'000), counted_run(1'000'010)});
+  ASSERT_EQ(fewer.size(), 1u);
+  EXPECT_FALSE(fewer[0].is_regression);
+}
+
+TEST(ExactFindings, LessThanOnePercentIsNothing) {
+  EXPECT_TRUE(findings({counted_run(1'000'000)}, {counted_run(1'009'999)}).empty());
+  EXPECT_TRUE(
+      findings({counted_run(1'000'000), counted_run(1'008'000)}, {counted_run(1'012'000), counted_run(1'019'000)})
+          .empty())
+      << "every run must have more than every other";
+  EXPECT_TRUE(findings({good_run()}, {counted_run(1'000'000)}).empty()) << "only one side was counted";
+}
+
+TEST(ExactFindings, OneCountedRunConfirmsNothing) {
+  const auto more = findings({counted_run(1'000'000), counted_run(1'000'000)}, {counted_run(1'200'000), good_run()});
+  ASSERT_EQ(more.size(), 1u);
+  EXPECT_TRUE(more[0].is_regression);
+  EXPECT_FALSE(more[0].is_confirmed);
+}
+
+TEST(ExactFindings, HardwareCountsServeWhereCallgrindIsMissing) {
+  RunRecord few = good_run(), many = good_run();
+  few.instructions = 1'000'000;
+  many.instructions = 1'100'000;
+  const auto found = findings({few, few}, {many, many});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].text, "instructions 1000000 -> 1100000 (x1.1000)");
+}
+
+TEST(ExactFindings, TheFunctionThatChangedMostIsNamed) {
+  const RunRecord before = counted_run(1000), after = counted_run(1100);
+  const Profiles profiles = {[](const RunRecord&) {
+                               return FunctionCounts{{"mwt::f(int)", 500}, {"g", 500}};
+                             },
+                             [](const RunRecord&) {
+                               return FunctionCounts{{"mwt::f(int)", 600}, {"g", 500}};
+                             }};
+  const auto found = exact_findings(cell_of(before), {&before}, {&after}, 0.05, profiles);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].text, "callgrind_instructions 1000 -> 1100 (x1.1000), most in f +20.0%");
+}
+
 }  // namespace
 }  // namespace mwt

@@ -17,6 +17,7 @@
 #include "harness/io/output_file.h"
 #include "harness/io/progress.h"
 #include "harness/io/text/text.h"
+#include "harness/records/profile_folder.h"
 #include "harness/records/results_folder.h"
 #include "harness/run/interrupt.h"
 #include "harness/study/plan.h"
@@ -67,6 +68,9 @@ std::string source_of(const Study& study, const PlannedInstance& instance) {
   return fmt::format("[[families]]\nname = {}\nparameters = {}\nsizes = [{}]\n", quoted(instance.generator),
                      toml_table(instance.parameters), instance.n);
 }
+
+/// In front of a study of one cell.
+constexpr const char* kCounts = "counts = {{ tool = \"callgrind\", max_n = {} }}\n";
 
 /// A study of one cell and one repetition.
 std::string study_of(const Study& study, const PlannedInstance& instance, const PlannedRun& run) {
@@ -156,7 +160,12 @@ class Side {
       run.env_id = env_id_;
       run.params = cell.params;  // without the path of a start
       run.repetition = repetition;
+      const FunctionCounts functions = read_profile(results.folder, run.run_id);
       run.run_id = short_hash(fmt::format("{}\n{}", run.run_id, repetition));
+      if (!functions.empty()) {
+        prepare_profile_folder(results_.path());
+        write_profile(results_.path(), run.run_id, functions);
+      }
       results_.append(run);
     }
   }
@@ -200,11 +209,13 @@ struct InterleavedBuilds::Sides {
         const std::string& new_folder)
       : base(options.build_a, base_folder, study),
         now(options.build_b, new_folder, study),
+        max_counted_n(options.with_counts ? study.max_counted_n : 0),
         engine(make_engine("interleaved_builds", options.seed)) {}
 
   void run(const TrackedCell& cell, const std::string& study) {
     const std::string study_file = (scratch.path() / "cell.toml").string();
-    write_file_atomically(study_file, study);
+    const bool counts = cell.n <= max_counted_n && repetition < kCountedRepetitions;
+    write_file_atomically(study_file, (counts ? fmt::format(kCounts, cell.n) : "") + study);
     const bool base_first = uniform_below(engine, 2) == 0;
     for (Side* side : {base_first ? &base : &now, base_first ? &now : &base})
       side->run(cell, study_file, scratch.path(), repetition);
@@ -212,6 +223,7 @@ struct InterleavedBuilds::Sides {
 
   Side base;
   Side now;
+  std::size_t max_counted_n;
   ScratchFolder scratch;
   RandomEngine engine;
   int repetition = 0;

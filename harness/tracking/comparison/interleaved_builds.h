@@ -24,13 +24,14 @@ struct InterleavedOptions {
   std::vector<std::string> algorithms;  ///< only these of the study; empty: all
   std::uint64_t seed = 1;               ///< of the order
   std::optional<double> budget_s;       ///< after so long no repetition begins except the first of each run()
+  bool with_counts = false;             ///< if the study asks for counts; both builds must know them
   bool is_terminal = false;
 };
 
 /// In each repetition every chosen cell of the study, in a new random order, is run once by both builds, one right
-/// after the other; which one begins is drawn anew each time. Every run is a `mwt run` of a study of one cell, so that
-/// the two builds need to agree on study files and the names of records' columns only. Optima are not sought: on the
-/// same instance, weights compare as well.
+/// after the other; which one begins is drawn anew each time. The first two repetitions are counted, too, where wanted.
+/// Every run is a `mwt run` of a study of one cell, so that the two builds need to agree on study files and the names
+/// of records' columns only. Optima are not sought: on the same instance, weights compare as well.
 ///
 /// Leaves two folders of results, as if each build had run the study with so many repetitions. Progress goes to `out`.
 ///

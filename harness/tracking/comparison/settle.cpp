@@ -56,6 +56,8 @@ void take_over(Comparison& all, Comparison latest, const std::set<TrackedCell>& 
   all.notes.insert(all.notes.end(), latest.notes.begin(), latest.notes.end());
   all.options = latest.options;
   all.time_measure = latest.time_measure;
+  all.base_commit = latest.base_commit;
+  all.new_commit = latest.new_commit;
   all.untimed = std::move(latest.untimed);
   all.compared_cells = std::max(all.compared_cells, latest.compared_cells);
 }

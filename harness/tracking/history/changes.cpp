@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "harness/io/text/text.h"
+#include "harness/run/callgrind/profile.h"
 #include "harness/statistics/change_points.h"
 #include "harness/statistics/quantile.h"
 
@@ -41,6 +42,7 @@ std::vector<Step> steps_of(const Series& series, Aspect aspect) {
     case Aspect::memory: return find_steps(logarithms(series.values), {.min_noise = kNoiseOfMemory});
     case Aspect::quality: return find_exact_steps(rounded_logarithms(series.values));
     case Aspect::failures: return find_exact_steps(series.values);
+    case Aspect::counts: return find_steps_beyond(logarithms(series.values), std::log1p(kCountThreshold));
   }
   return {};
 }
@@ -51,6 +53,7 @@ double level(const Series& series, std::size_t begin, std::size_t end) {
 
 bool is_worth_telling(const SeriesStep& step, Aspect aspect, const ChangeOptions& options) {
   if (aspect == Aspect::quality || aspect == Aspect::failures) return true;
+  if (aspect == Aspect::counts) return std::fabs(std::log(step.after / step.before)) > std::log1p(kCountThreshold);
   return std::fabs(std::log(step.after / step.before)) >= std::log1p(options.min_change);
 }
 
@@ -61,30 +64,41 @@ std::vector<SeriesStep> series_steps(const Series& series, Aspect aspect, const 
     const std::size_t begin = i == 0 ? 0 : found[i - 1].first;
     const std::size_t end = i + 1 < found.size() ? found[i + 1].first : series.values.size();
     const std::size_t first = found[i].first;
-    const SeriesStep step{series.key, series.nightly_runs[first], series.nightly_runs[first - 1],
-                          level(series, begin, first), level(series, first, end)};
+    const SeriesStep step{series.key,
+                          series.nightly_runs[first],
+                          series.nightly_runs[first - 1],
+                          level(series, begin, first),
+                          level(series, first, end),
+                          found[i].error};
     if (is_worth_telling(step, aspect, options)) steps.push_back(step);
   }
   return steps;
 }
 
-/// Which series are looked at: of the times only one measure.
+/// Which series are looked at: of the times only one measure, and of the counts.
 class SeriesChoice {
  public:
   explicit SeriesChoice(const std::vector<Series>& all) {
     for (const Series& series : all) {
-      if (series.key.measure == "relative_time") with_delaunay_time_.insert({series.key.study, series.key.environment});
+      measures_of_[{series.key.study, series.key.environment}].insert(series.key.measure);
     }
   }
 
   [[nodiscard]] bool has(const SeriesKey& key) const {
-    if (measure_named(key.measure).aspect != Aspect::time) return true;
-    const bool with_delaunay_time = with_delaunay_time_.contains({key.study, key.environment});
-    return key.measure == (with_delaunay_time ? "relative_time" : "wall_time_s");
+    const std::set<std::string>& measures = measures_of_.at({key.study, key.environment});
+    switch (measure_named(key.measure).aspect) {
+      case Aspect::time: return key.measure == (measures.contains("relative_time") ? "relative_time" : "wall_time_s");
+      case Aspect::counts: {
+        const auto compared =
+            std::ranges::find_if(kComparedCounts, [&](const char* name) { return measures.contains(name); });
+        return compared != std::end(kComparedCounts) && key.measure == *compared;
+      }
+      default: return true;
+    }
   }
 
  private:
-  std::set<std::pair<std::string, std::string>> with_delaunay_time_;
+  std::map<std::pair<std::string, std::string>, std::set<std::string>> measures_of_;
 };
 
 /// What steps have in common that may make one change.
@@ -122,14 +136,38 @@ Change change_of(const ChangeKey& key, std::vector<SeriesStep> steps) {
     sum += change.aspect == Aspect::failures ? step.after - step.before : std::log(step.after / step.before);
   const double mean = sum / static_cast<double>(change.steps.size());
   change.factor = change.aspect == Aspect::failures ? mean : std::exp(mean);
+  change.lower = change.upper = change.factor;
+  if (change.aspect != Aspect::time && change.aspect != Aspect::memory) return change;
+  double error = 0;
+  for (const SeriesStep& step : change.steps) error += step.log_error / static_cast<double>(change.steps.size());
+  constexpr double kErrors = 1.96;
+  change.lower = std::exp(mean - kErrors * error);
+  change.upper = std::exp(mean + kErrors * error);
   return change;
+}
+
+/// The instructions of the steps' cells in the nightly runs before and after, function by function.
+std::string changed_function(const Change& change, const std::vector<NightlyRun>& nightly_runs) {
+  FunctionCounts before, after;
+  for (const SeriesStep& step : change.steps) {
+    const auto add = [&step](const NightlyRun& nightly_run, FunctionCounts& functions) {
+      for (const NightlyFunction& function : nightly_run.functions) {
+        if (function.cell == step.key.cell) functions[function.name] += function.instructions;
+      }
+    };
+    add(nightly_runs[step.previous_nightly_run], before);
+    add(nightly_runs[step.nightly_run], after);
+  }
+  const auto changed = most_changed(before, after);
+  return changed ? changed->text() : "";
 }
 
 std::string amount(const Change& change) {
   const std::string sign = change.is_regression ? "+" : "";
   if (change.aspect == Aspect::failures) return sign + fixed(100 * change.factor, 0) + "% of runs";
   if (change.aspect == Aspect::quality) return sign + fixed(100 * (change.factor - 1), 6) + '%';
-  return std::string("x").append(fixed(change.factor, 3));
+  if (change.aspect == Aspect::counts) return fmt::format("x{:.4f}", change.factor);
+  return fmt::format("x{:.3f} ({:.3f} .. {:.3f})", change.factor, change.lower, change.upper);
 }
 
 std::string where(const Change& change) {
@@ -166,7 +204,10 @@ std::vector<Change> find_changes(const std::vector<NightlyRun>& nightly_runs, co
   for (auto& [key, steps] : steps_by_key) {
     std::stable_sort(steps.begin(), steps.end(),
                      [](const SeriesStep& a, const SeriesStep& b) { return a.nightly_run < b.nightly_run; });
-    for (auto& group : groups_in_time(steps)) changes.push_back(change_of(key, std::move(group)));
+    for (auto& group : groups_in_time(steps)) {
+      Change& change = changes.emplace_back(change_of(key, std::move(group)));
+      if (change.aspect == Aspect::counts) change.function = changed_function(change, nightly_runs);
+    }
   }
   std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
     return std::tuple(a.nightly_run, !a.is_regression, a.algorithm) <
@@ -177,9 +218,10 @@ std::vector<Change> find_changes(const std::vector<NightlyRun>& nightly_runs, co
 
 std::string describe(const Change& change, const std::vector<NightlyRun>& nightly_runs) {
   const NightlyRun& nightly_run = nightly_runs[change.nightly_run];
-  return fmt::format("{} {}{}: {} {} on {} ({}..{})", nightly_run.recorded_at.substr(0, 10),
+  return fmt::format("{} {}{}: {} {} on {}{} ({}..{})", nightly_run.recorded_at.substr(0, 10),
                      change.is_regression ? "regression " : "improvement ", change.algorithm, name_of(change.aspect),
-                     amount(change), where(change), short_commit(nightly_runs[change.previous_nightly_run].git_commit),
+                     amount(change), where(change), change.function.empty() ? "" : ", most in " + change.function,
+                     short_commit(nightly_runs[change.previous_nightly_run].git_commit),
                      short_commit(nightly_run.git_commit));
 }
 

@@ -43,6 +43,14 @@ CREATE TABLE IF NOT EXISTS value (
   PRIMARY KEY (night, cell, measure)) WITHOUT ROWID;
 )";
 
+// Histories of earlier builds get this table when they are written to; readers do without.
+constexpr const char* kFunctionTable = R"(
+CREATE TABLE IF NOT EXISTS function (
+  night INTEGER NOT NULL REFERENCES night (id), cell INTEGER NOT NULL REFERENCES cell (id), name TEXT NOT NULL,
+  instructions INTEGER NOT NULL,
+  PRIMARY KEY (night, cell, name)) WITHOUT ROWID;
+)";
+
 // SQLite cannot change what is unique in a table; version 1 had no configuration.
 constexpr const char* kFromVersion1 = R"(
 CREATE TABLE new_night (
@@ -99,6 +107,15 @@ std::vector<NightlyValue> sorted(std::vector<NightlyValue> values) {
   return values;
 }
 
+/// Of the columns algorithm to threads, which come first.
+TrackedCell cell_in(SQLite::Statement& rows) {
+  const std::string algorithm = present_name(rows.getColumn(0));
+  return {algorithm,         present_params(algorithm, rows.getColumn(1)),
+          rows.getColumn(2), rows.getColumn(3),
+          rows.getColumn(4), static_cast<std::uint64_t>(rows.getColumn(5).getInt64()),
+          rows.getColumn(6)};
+}
+
 constexpr const char* kValuesOfNight =
     "SELECT algorithm, params, generator, generator_params, n, seed, threads, measure, value, runs "
     "FROM value JOIN cell ON cell.id = value.cell WHERE night = ?";
@@ -108,15 +125,24 @@ std::vector<NightlyValue> values_of_nightly_run(SQLite::Database& database, std:
   rows.bind(1, nightly_run);
   std::vector<NightlyValue> values;
   while (rows.executeStep()) {
-    const std::string algorithm = present_name(rows.getColumn(0));
-    const TrackedCell cell{algorithm,         present_params(algorithm, rows.getColumn(1)),
-                           rows.getColumn(2), rows.getColumn(3),
-                           rows.getColumn(4), static_cast<std::uint64_t>(rows.getColumn(5).getInt64()),
-                           rows.getColumn(6)};
     values.push_back(
-        {cell, rows.getColumn(7), rows.getColumn(8), static_cast<std::size_t>(rows.getColumn(9).getInt64())});
+        {cell_in(rows), rows.getColumn(7), rows.getColumn(8), static_cast<std::size_t>(rows.getColumn(9).getInt64())});
   }
   return sorted(std::move(values));
+}
+
+constexpr const char* kFunctionsOfNight =
+    "SELECT algorithm, params, generator, generator_params, n, seed, threads, name, instructions "
+    "FROM function JOIN cell ON cell.id = function.cell WHERE night = ? ORDER BY function.cell, name";
+
+std::vector<NightlyFunction> functions_of_nightly_run(SQLite::Database& database, std::int64_t nightly_run) {
+  std::vector<NightlyFunction> functions;
+  if (!database.tableExists("function")) return functions;
+  SQLite::Statement rows(database, kFunctionsOfNight);
+  rows.bind(1, nightly_run);
+  while (rows.executeStep())
+    functions.push_back({cell_in(rows), rows.getColumn(7), static_cast<std::uint64_t>(rows.getColumn(8).getInt64())});
+  return functions;
 }
 
 bool same_values(const std::vector<NightlyValue>& a, const std::vector<NightlyValue>& b) {
@@ -132,11 +158,17 @@ class NightlyRunWriter {
         find_cell_(database,
                    "SELECT id FROM cell WHERE algorithm = ? AND params = ? AND generator = ? AND generator_params = ? "
                    "AND n = ? AND seed = ? AND threads = ?"),
-        add_value_(database, "INSERT INTO value VALUES (?, ?, ?, ?, ?)") {}
+        add_value_(database, "INSERT INTO value VALUES (?, ?, ?, ?, ?)"),
+        add_function_(database, "INSERT INTO function VALUES (?, ?, ?, ?)") {}
 
   void write(std::int64_t nightly_run, const NightlyValue& value) {
     start(add_value_, nightly_run, id_of(value.cell), value.measure, value.value,
           static_cast<std::int64_t>(value.runs));
+  }
+
+  void write(std::int64_t nightly_run, const NightlyFunction& function) {
+    start(add_function_, nightly_run, id_of(function.cell), function.name,
+          static_cast<std::int64_t>(function.instructions));
   }
 
  private:
@@ -151,6 +183,7 @@ class NightlyRunWriter {
   SQLite::Statement add_cell_;
   SQLite::Statement find_cell_;
   SQLite::Statement add_value_;
+  SQLite::Statement add_function_;
 };
 
 }  // namespace
@@ -181,6 +214,7 @@ void History::make_tables() {
     database_->exec(kTables);
     database_->exec(fmt::format("PRAGMA user_version = {}", kHistoryVersion));
   }
+  if (version() == kHistoryVersion) database_->exec(kFunctionTable);
   transaction.commit();
 }
 
@@ -212,10 +246,13 @@ bool History::has_other_configuration(const NightlyRun& nightly_run) const {
   return start(find, nightly_run.git_commit, nightly_run.environment, nightly_run.study, nightly_run.configuration);
 }
 
-void History::write_values(std::int64_t id, const std::vector<NightlyValue>& values) {
+void History::write_values(std::int64_t id, const std::vector<NightlyValue>& values,
+                           const std::vector<NightlyFunction>& functions) {
   execute(*database_, "DELETE FROM value WHERE night = ?", id);
+  execute(*database_, "DELETE FROM function WHERE night = ?", id);
   NightlyRunWriter writer(*database_);
   for (const NightlyValue& value : values) writer.write(id, value);
+  for (const NightlyFunction& function : functions) writer.write(id, function);
 }
 
 History::Added History::add(const NightlyRun& nightly_run) {
@@ -237,7 +274,7 @@ History::Added History::add_in_transaction(const NightlyRun& nightly_run) {
     if (same_values(values_of_nightly_run(*database_, earlier), values)) return Added::unchanged;
     if (nightly_run.recorded_at < find.getColumn(1).getString()) return Added::outdated;
     execute(*database_, "UPDATE night SET recorded_at = ? WHERE id = ?", nightly_run.recorded_at, earlier);
-    write_values(earlier, values);
+    write_values(earlier, values, nightly_run.functions);
     return Added::replaced;
   }
   if (adopt_old_nightly_run(nightly_run, values)) return Added::unchanged;
@@ -245,7 +282,7 @@ History::Added History::add_in_transaction(const NightlyRun& nightly_run) {
   execute(*database_, "INSERT INTO night VALUES (NULL, ?, ?, ?, ?, ?, ?)", nightly_run.git_commit,
           nightly_run.environment, nightly_run.study, nightly_run.configuration, nightly_run.machine,
           nightly_run.recorded_at);
-  write_values(database_->getLastInsertRowid(), values);
+  write_values(database_->getLastInsertRowid(), values, nightly_run.functions);
   return added;
 }
 
@@ -259,7 +296,8 @@ std::vector<NightlyRun> History::nightly_runs() const {
     while (rows.executeStep()) {
       nightly_runs.push_back({rows.getColumn(1), rows.getColumn(2), rows.getColumn(3), rows.getColumn(4),
                               rows.getColumn(5), rows.getColumn(6),
-                              values_of_nightly_run(*database_, rows.getColumn(0))});
+                              values_of_nightly_run(*database_, rows.getColumn(0)),
+                              functions_of_nightly_run(*database_, rows.getColumn(0))});
     }
     return nightly_runs;
   });

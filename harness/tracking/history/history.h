@@ -14,8 +14,8 @@ class Database;
 namespace mwt {
 
 /// Tables: nightly run (git_commit, environment, study, configuration, machine, recorded_at), cell, value (of a nightly
-/// run, a cell and a measure). A history of version 1, without configurations, becomes one of this version when it is
-/// opened.
+/// run, a cell and a measure), function (of a nightly run and a cell that was counted). A history of version 1, without
+/// configurations, becomes one of this version when it is opened.
 ///
 /// A nightly run is added in one transaction: whatever kills the program leaves all of it or nothing (SQLite's rollback
 /// journal, synchronous = FULL). Any number of processes may use one history; one that finds it locked waits up to 30
@@ -51,7 +51,8 @@ class History {
   Added add_in_transaction(const NightlyRun& nightly_run);
   [[nodiscard]] bool adopt_old_nightly_run(const NightlyRun& nightly_run, const std::vector<NightlyValue>& values);
   [[nodiscard]] bool has_other_configuration(const NightlyRun& nightly_run) const;
-  void write_values(std::int64_t id, const std::vector<NightlyValue>& values);
+  void write_values(std::int64_t id, const std::vector<NightlyValue>& values,
+                    const std::vector<NightlyFunction>& functions);
 
   std::string path_;
   std::unique_ptr<SQLite::Database> database_;

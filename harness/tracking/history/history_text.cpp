@@ -71,6 +71,9 @@ Json array_of(const std::vector<Change>& changes, const std::vector<NightlyRun>&
                    {"commit", nightly_run.git_commit},
                    {"previous_commit", nightly_runs[change.previous_nightly_run].git_commit},
                    {"factor", change.factor},
+                   {"factor_lower", change.lower},
+                   {"factor_upper", change.upper},
+                   {"function", change.function},
                    {"text", describe(change, nightly_runs)},
                    {"steps", Json::array()}};
     for (const SeriesStep& step : change.steps) object["steps"].push_back(json_of(step));

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "harness/io/text/text.h"
+#include "harness/records/profile_folder.h"
 #include "harness/tracking/measures.h"
 
 namespace mwt {
@@ -53,6 +55,24 @@ void add_values(NightlyRun& nightly_run, const std::vector<const RunRecord*>& ru
   }
 }
 
+void add_functions(NightlyRun& nightly_run, const std::string& folder, const std::vector<const RunRecord*>& runs) {
+  std::map<TrackedCell, FunctionCounts> functions_of;
+  std::set<TrackedCell> seen;
+  for (const RunRecord* run : runs) {
+    if (!run->callgrind_instructions || !seen.insert(cell_of(*run)).second) continue;
+    TrackedCell all_seeds = cell_of(*run);
+    all_seeds.seed = 0;
+    for (const auto& [name, count] : read_profile(folder, run->run_id)) functions_of[all_seeds][name] += count;
+  }
+  for (const auto& [cell, functions] : functions_of) {
+    std::uint64_t sum = 0;
+    for (const auto& [name, count] : functions) sum += count;
+    for (const auto& [name, count] : functions) {
+      if (count >= sum / 100) nightly_run.functions.push_back({cell, name, count});
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<NightlyRun> nightly_runs_of(const ResultSet& results) {
@@ -61,8 +81,9 @@ std::vector<NightlyRun> nightly_runs_of(const ResultSet& results) {
   std::vector<NightlyRun> nightly_runs;
   for (const auto& [key, runs] : runs_of) {
     NightlyRun& nightly_run = nightly_runs.emplace_back(
-        NightlyRun{key.git_commit, key.environment, key.machine, key.study, key.configuration, "", {}});
+        NightlyRun{key.git_commit, key.environment, key.machine, key.study, key.configuration, "", {}, {}});
     add_values(nightly_run, runs);
+    add_functions(nightly_run, results.folder, runs);
   }
   std::sort(nightly_runs.begin(), nightly_runs.end(), [](const NightlyRun& a, const NightlyRun& b) {
     return std::tie(a.recorded_at, a.git_commit) < std::tie(b.recorded_at, b.git_commit);

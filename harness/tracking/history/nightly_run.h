@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,13 @@ struct NightlyValue {
   std::size_t runs = 0;  ///< repetitions behind it
 };
 
+/// Where the instructions of a counted cell are: of the functions with at least a hundredth of them.
+struct NightlyFunction {
+  TrackedCell cell;  ///< its seed is 0: all seeds together, the first counted run of each
+  std::string name;
+  std::uint64_t instructions = 0;
+};
+
 struct NightlyRun {
   std::string git_commit;
   std::string environment;  ///< fingerprint: hash of `machine` and of the number of jobs side by side
@@ -25,6 +33,7 @@ struct NightlyRun {
   std::string configuration;  ///< fingerprint of the study's file, and of the program if `git_commit` leaves it open
   std::string recorded_at;    ///< when its last run had ended
   std::vector<NightlyValue> values;
+  std::vector<NightlyFunction> functions{};
 };
 
 /// The nightly runs of a folder, usually one: its runs by commit, environment, study and configuration, ordered by
