@@ -57,7 +57,47 @@ void require_positive(std::span<const Measurement> measurements) {
   }
 }
 
+/// The least-squares line through the drawn logarithms at log_n. A resample has every group, so at least two log n.
+double height_at(std::span<const double> log_n, std::span<const double> log_y, std::span<const std::size_t> drawn,
+                 double place) {
+  double mean_n = 0, mean_y = 0;
+  for (const std::size_t i : drawn) {
+    mean_n += log_n[i];
+    mean_y += log_y[i];
+  }
+  mean_n /= static_cast<double>(drawn.size());
+  mean_y /= static_cast<double>(drawn.size());
+  double products = 0, squares = 0;
+  for (const std::size_t i : drawn) {
+    products += (log_n[i] - mean_n) * (log_y[i] - mean_y);
+    squares += (log_n[i] - mean_n) * (log_n[i] - mean_n);
+  }
+  return mean_y + products / squares * (place - mean_n);
+}
+
 }  // namespace
+
+std::vector<Estimate> power_law_band(std::span<const Measurement> measurements, std::span<const double> places,
+                                     const BootstrapOptions& options) {
+  require_positive(measurements);
+  const std::vector<std::size_t> groups = groups_by_size(measurements);
+  const bool has_line = std::ranges::any_of(groups, [](std::size_t group) { return group > 0; });
+  if (!has_line) throw std::invalid_argument("a power law needs two sizes");
+  std::vector<double> log_n, log_y;
+  for (const Measurement& measurement : measurements) {
+    log_n.push_back(std::log(measurement.n));
+    log_y.push_back(std::log(measurement.y));
+  }
+  std::vector<Estimate> band;
+  for (const double place : places) {
+    const auto height = [&](std::span<const std::size_t> drawn) {
+      return height_at(log_n, log_y, drawn, std::log(place));
+    };
+    const Estimate logarithm = bootstrap_over(measurements.size(), height, options, groups);
+    band.push_back({std::exp(logarithm.value), std::exp(logarithm.lower), std::exp(logarithm.upper)});
+  }
+  return band;
+}
 
 std::optional<PowerLaw> fit_power_law(std::span<const Measurement> measurements, const BootstrapOptions& options) {
   require_positive(measurements);

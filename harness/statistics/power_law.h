@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "harness/statistics/bootstrap.h"
 
@@ -31,5 +32,13 @@ struct PowerLaw {
 /// O(resamples * measurements); deterministic.
 [[nodiscard]] std::optional<PowerLaw> fit_power_law(std::span<const Measurement> measurements,
                                                     const BootstrapOptions& options = {});
+
+/// The fitted line at each of `places` (values of n), as values of y, with the interval that the same bootstrap gives
+/// it: the band around the line. Ends equal the value where every n was measured once.
+/// Preconditions: as fit_power_law(), with at least two distinct n; places positive. std::invalid_argument otherwise.
+/// O(places * resamples * measurements); deterministic.
+[[nodiscard]] std::vector<Estimate> power_law_band(std::span<const Measurement> measurements,
+                                                   std::span<const double> places,
+                                                   const BootstrapOptions& options = {});
 
 }  // namespace mwt
