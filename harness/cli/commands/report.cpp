@@ -123,11 +123,12 @@ Command report_command() {
     declared.argument("folder", options->folder, kFolder, "results folder of a study (mwt run)");
     declared.option("--tables", options->tables, kFile,
                     "write the tables to this file instead of printing them (often thousands of lines)");
-    declared.option("--paper", options->paper,
+    declared.option("--paper", options->paper, kFolder,
                     "write LaTeX tables, figures (PDF, PGF), their data and a document of them to this folder instead");
-    declared.option("--families", options->families, "families of --paper, separated by commas");
-    declared.option("--sizes", options->sizes, "numbers of points of --paper, separated by commas");
-    declared.option("--algorithms", options->algorithms,
+    declared.option("--families", options->families, ValueKind{"NAMES"}, "families of --paper, separated by commas");
+    declared.option("--sizes", options->sizes, ValueKind{"NUMBERS"},
+                    "numbers of points of --paper, separated by commas");
+    declared.option("--algorithms", options->algorithms, ValueKind{"NAMES"},
                     "algorithms of --paper, separated by commas: names, or labels such as 'patch k=14'");
   };
   return {"report", "Print tables of time, alpha and growth from the records of a study, and write them as CSV",
