@@ -52,7 +52,8 @@ double seconds_of(const std::string& utc) {
 
 // How much longer than estimated the last attempt takes, by its own clock; 1 as long as that is anybody's guess.
 double slowness(const ShardRecords& shard, const std::vector<ShardRow>& rows) {
-  constexpr double kLeastEvidence = 5;  // s
+  constexpr double kLeastTime = 5;      // s
+  constexpr double kLeastShare = 0.02;  // of the shard
   if (shard.records.environments.empty()) return 1;
   const EnvironmentRecord& last = shard.records.environments.back();
   double now = 0;
@@ -68,16 +69,17 @@ double slowness(const ShardRecords& shard, const std::vector<ShardRow>& rows) {
     sought.insert(label_of_instance(instance));
     now = std::max(now, seconds_of(instance.recorded_at));
   }
-  double estimated = 0;
+  double estimated = 0, whole = 0;
   for (const ShardRow& row : rows) {
     const std::string label = label_of_instance(row);
+    whole += row.search_s + row.runs_s;
     if (sought.contains(label)) estimated += row.search_s;
     if (const auto runs = runs_of.find(label); runs != runs_of.end()) {
       estimated += row.runs_s * static_cast<double>(runs->second) / static_cast<double>(row.runs);
     }
   }
   const double elapsed = now - seconds_of(last.recorded_at);
-  return elapsed < kLeastEvidence || estimated <= 0 ? 1 : elapsed / estimated;
+  return elapsed < kLeastTime || estimated <= kLeastShare * whole ? 1 : elapsed / estimated;
 }
 
 // The last line that a task printed.
