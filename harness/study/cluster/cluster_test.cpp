@@ -21,7 +21,6 @@ namespace {
 
 using testing::entry;
 using testing::lasting;
-using testing::read_text;
 using testing::TestFolder;
 using testing::write_text;
 
