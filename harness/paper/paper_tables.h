@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "harness/paper/latex.h"
+#include "harness/paper/paper_comparisons.h"
 #include "harness/paper/paper_curves.h"
-#include "harness/paper/paper_tests.h"
 
 namespace mwt {
 

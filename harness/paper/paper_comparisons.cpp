@@ -1,4 +1,4 @@
-#include "harness/paper/paper_tests.h"
+#include "harness/paper/paper_comparisons.h"
 
 #include <algorithm>
 #include <cmath>
