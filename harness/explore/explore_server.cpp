@@ -18,6 +18,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <stdexcept>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -218,12 +219,26 @@ class ExploreServer::Impl {
   void stop() { server_.stop(); }
 
  private:
+  // httplib lets other programs share its port, and the system keep five connections that are not accepted yet: many
+  // at once would be lost. Here nobody shares the port, and listening again makes room.
   int bind() {
     constexpr const char* kLoopback = "127.0.0.1";
-    if (options_.port == 0) return server_.bind_to_any_port(kLoopback);
-    if (!server_.bind_to_port(kLoopback, options_.port))
-      throw InputError(fmt::format("--port {}: not free; give another one, or none", options_.port));
-    return options_.port;
+    int listening = -1;
+    server_.set_socket_options([&listening](int socket) {
+      listening = socket;
+      const int yes = 1;
+      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
+    int port = options_.port;
+    if (port == 0) {
+      port = server_.bind_to_any_port(kLoopback);
+    } else if (!server_.bind_to_port(kLoopback, port)) {
+      throw InputError(fmt::format("--port {}: not free; give another one, or none", port));
+    }
+    if (port <= 0) throw std::runtime_error("no port of the loopback address is free");
+    listen(listening, SOMAXCONN);
+    server_.set_socket_options([](int) {});
+    return port;
   }
 
   void set_up() {

@@ -12,12 +12,14 @@ import subprocess
 import sys
 import tempfile
 import time
+import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "plots"))
 import browser  # noqa: E402  (in plots/)
 from page_testing import PageTestCase, main, program  # noqa: E402
 
 PATIENCE_S = 60
+AXE = pathlib.Path(__file__).resolve().parents[2] / "setup/axe/node_modules/axe-core/axe.min.js"
 STATE = "window.explorer && {}"
 
 
@@ -296,6 +298,35 @@ class ExplorerTest(PageTestCase):
         self.assertIn("passes the diamond test", history[0])
         self.value("document.getElementById('play-close').click()")
         self.assertFalse(self.value("explorer.player.isOpen"))
+
+    def test_the_lesson_shows_the_worked_examples(self):
+        self.value("document.getElementById('lesson').click()")
+        weights = []
+        for step in range(10):
+            self.wait_for(f"document.getElementById('lesson-title').textContent.startsWith('{step + 1} of 10')")
+            self.wait_until_complete()
+            self.assertIn("checked", self.value("document.getElementById('rows').textContent"))
+            self.assertNotIn("failed", self.value("document.getElementById('status').className"))
+            weights.append(self.shown_numbers()[0])
+            self.value("document.getElementById('lesson-next').click()")
+        self.assertAlmostEqual(weights[1], 70.9586, places=4)
+        self.assertAlmostEqual(weights[2], 86.5447479007, places=9)
+        self.assertAlmostEqual(weights[7], 846.822, places=3)
+
+    @unittest.skipUnless(AXE.is_file(), "axe-core is not installed: setup/ensure_axe.sh")
+    def test_axe_finds_no_violation(self):
+        for dark in (False, True):
+            for width in (390, 1440):
+                self.browser.show_as(width, 900, dark)
+                self.play("family=uniform&n=40&seed=1&first=exact&second=greedy&time_limit=10")
+                self.value("document.getElementById('lesson').click()")
+                self.wait_until_complete()
+                self.value("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
+                self.browser.run(AXE.read_text())
+                self.browser.run("axe.run().then((found) => { window.axeFound = found.violations; })")
+                self.wait_for("window.axeFound ? 'done' : ''")
+                found = self.value("window.axeFound.map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 200)).join(' | ')}`)")
+                self.assertEqual(found, [], f"{width} pixels, dark: {dark}")
 
     def test_what_has_no_steps_is_told(self):
         self.value("document.getElementById('first').value = 'quadtree'")

@@ -2,6 +2,7 @@
 import { Choices } from "./choices.js";
 import { Editing } from "./editing.js";
 import { compareEdges } from "./edges.js";
+import { Lesson } from "./lesson.js";
 import { linkOf, viewOf } from "./link.js";
 import { Picture } from "./picture.js";
 import { Player } from "./play.js";
@@ -139,6 +140,7 @@ async function restore(view) {
   let loaded = true;
   if (view.source.family && choices.knowsFamily(view.source.family.family)) {
     choices.family = view.source.family;
+    view.source.family.n = choices.family.n; // of a named instance its only one
     loaded = await load(generated(view.source.family), view.source, "making points");
   } else if (view.source.given && given?.name === view.source.given) {
     showNewPoints(given.points.slice(), view.source);
@@ -226,6 +228,7 @@ async function begin() {
   const editing = new Editing(element("picture"), picture, points, changed);
   editing.player = player;
   watchButtons(editing);
+  new Lesson((view) => restore(viewOf(view)));
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => picture.redraw());
   window.addEventListener("hashchange", () => {
     const view = viewOf(location.hash.slice(1));

@@ -84,6 +84,7 @@ export class Trace {
     if (kind === "flip") return `${head}edge ${a}–${b} is replaced by ${c}–${d}, shorter by ${value.toPrecision(4)}`;
     if (kind === "remove" && c !== NONE) return `${head}edge ${a}–${b} leaves; it crosses ${c}–${d}`;
     if (kind === "remove" && stage.name === "optimum") return `${head}edge ${a}–${b} leaves: it is not in the optimum`;
+    if (kind === "remove" && stage.name === "insertion") return `${head}edge ${a}–${b} leaves: the inserted point lies on it`;
     if (kind === "open") return `${head}edge ${a}–${b} ${stage.reason}, ${value.toPrecision(2)} of the largest`;
     return `${head}edge ${a}–${b} ${stage.reason}`;
   }

@@ -15,7 +15,7 @@ export function intervalText(lower, upper, most = 10) {
   if (lower == null || upper == null) return "–";
   for (let digits = most; digits >= 3; --digits) {
     const text = lower.toPrecision(digits);
-    if (text === upper.toPrecision(digits)) return String(Number(text)).length < text.length && digits === most ? text : text;
+    if (text === upper.toPrecision(digits)) return text;
   }
   return `${lower.toPrecision(4)} to ${upper.toPrecision(4)}`;
 }
@@ -37,6 +37,12 @@ function statusOf(run) {
   return notes.join(", ");
 }
 
+function weightCell(run) {
+  const made = cell(intervalText(run.weight_lower, run.weight_upper), "number", { lower: run.weight_lower, upper: run.weight_upper });
+  if (run.perimeter_sum != null) made.title = `the triangles’ perimeters add up to ${run.perimeter_sum.toPrecision(10)}`;
+  return made;
+}
+
 function rowOf({ name, parameters, run }, isComplete) {
   const row = document.createElement("tr");
   const title = document.createElement("th");
@@ -45,7 +51,7 @@ function rowOf({ name, parameters, run }, isComplete) {
   const alpha = run.alpha_lower == null ? (isComplete ? "no bound" : "…") : intervalText(run.alpha_lower, run.alpha_upper, 7);
   row.append(
     title,
-    cell(intervalText(run.weight_lower, run.weight_upper), "number", { lower: run.weight_lower, upper: run.weight_upper }),
+    weightCell(run),
     cell(run.status === "ok" ? alpha : "–", "number alpha", { lower: run.alpha_lower, upper: run.alpha_upper }),
     cell(durationText(run.wall_time_s), "number"),
     cell(statusOf(run), run.status === "ok" ? "" : "failed"),
