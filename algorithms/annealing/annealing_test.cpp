@@ -18,7 +18,7 @@ using test::ShapeFamily;
 using test::shapes;
 
 Solution solve(Points points, const std::map<std::string, std::string>& given, std::uint64_t seed = 1,
-               std::optional<Context::Clock::time_point> deadline = {}) {
+               Deadline deadline = {}) {
   Context context;
   context.parameters = Parameters("annealing", annealing_entry().parameters, given);
   context.seed = seed;

@@ -8,6 +8,7 @@
 
 #include "algorithms/common/other_deadline.h"
 #include "algorithms/flip/flip.h"
+#include "algorithms/interrupted.h"
 #include "algorithms/patch/patch.h"
 #include "geometry/weight.h"
 
@@ -60,6 +61,7 @@ class LightestSoFar {
 }  // namespace
 
 Triangulation lightest_heuristic(Points points, const Context& context, const std::optional<Triangulation>& own) {
+  throw_if_interrupted(context.deadline);  // a Delaunay triangulation of many points takes a while
   LightestSoFar result(points);
   const AlgorithmInfo patch = patch_entry();
   const auto consider_patched = [&](const Triangulation* start) {
@@ -84,33 +86,36 @@ void improve_by_heuristics(Points points, Context& context, Solution& solution) 
 }
 
 Deadline deadline_before_heuristics(const Deadline& deadline, std::size_t n) {
-  if (!deadline) return {};
+  if (!deadline) return deadline;
   constexpr double kSufficientPerPoint = 8e-6;  // twice what random points take on one 2.8 GHz core
   constexpr double kSufficient = 2;             // what 10,000 points of a corridor take
   const Clock::time_point now = deadline_clock();
   const Clock::duration quarter = std::max(*deadline - now, Clock::duration::zero()) / 4;
-  return *deadline - std::min(quarter, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n)));
+  return deadline.moved_to(*deadline -
+                           std::min(quarter, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n))));
 }
 
 Deadline deadline_before_bounds(const Deadline& deadline, std::size_t n) {
-  if (!deadline) return {};
+  if (!deadline) return deadline;
   constexpr double kSufficientPerPoint = 8e-6;
   constexpr double kSufficient = 3;
   const Clock::duration tenth = std::max(*deadline - deadline_clock(), Clock::duration::zero()) / 10;
-  return *deadline - std::min(tenth, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n)));
+  return deadline.moved_to(*deadline -
+                           std::min(tenth, duration_of(kSufficient + kSufficientPerPoint * static_cast<double>(n))));
 }
 
 Deadline deadline_of_bounds(const Deadline& deadline, std::size_t n) {
-  if (!deadline) return {};
+  if (!deadline) return deadline;
   constexpr double kPerPoint = 1e-6;
   constexpr double kMinSeconds = 0.05;
-  return std::max(*deadline, deadline_clock() + duration_of(kMinSeconds + kPerPoint * static_cast<double>(n)));
+  return deadline.moved_to(
+      std::max(*deadline, deadline_clock() + duration_of(kMinSeconds + kPerPoint * static_cast<double>(n))));
 }
 
 Deadline deadline_of_heuristics(const Deadline& deadline) {
-  if (!deadline) return {};
+  if (!deadline) return deadline;
   constexpr double kMinSeconds = 0.2;
-  return std::max(*deadline, deadline_clock() + duration_of(kMinSeconds));
+  return deadline.moved_to(std::max(*deadline, deadline_clock() + duration_of(kMinSeconds)));
 }
 
 }  // namespace mwt

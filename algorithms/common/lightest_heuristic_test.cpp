@@ -50,11 +50,24 @@ TEST(LightestHeuristic, GetsItsTimeBeforeTheDeadline) {
   EXPECT_FALSE(deadline_of_heuristics({}));
   const auto now = Context::Clock::now();
   const Deadline hour = now + std::chrono::hours(1), late = now - std::chrono::hours(1);
-  EXPECT_LT(deadline_before_heuristics(hour, 1000), hour);
-  EXPECT_GT(deadline_before_heuristics(hour, 1000), now + std::chrono::minutes(44));
-  EXPECT_EQ(deadline_before_heuristics(late, 1000), late);
-  EXPECT_EQ(deadline_of_heuristics(hour), hour);
-  EXPECT_GT(deadline_of_heuristics(late), now);
+  EXPECT_LT(deadline_before_heuristics(hour, 1000).value(), hour.value());
+  EXPECT_GT(deadline_before_heuristics(hour, 1000).value(), now + std::chrono::minutes(44));
+  EXPECT_EQ(deadline_before_heuristics(late, 1000).value(), late.value());
+  EXPECT_EQ(deadline_of_heuristics(hour).value(), hour.value());
+  EXPECT_GT(deadline_of_heuristics(late).value(), now);
+}
+
+TEST(LightestHeuristic, DeadlinesKeepTheInterrupt) {
+  const std::atomic<bool> interrupt = true;
+  Deadline hour = Context::Clock::now() + std::chrono::hours(1), none;
+  hour.interrupt = none.interrupt = &interrupt;
+  for (const Deadline& deadline : {hour, none}) {
+    EXPECT_TRUE(has_passed(deadline));
+    EXPECT_TRUE(has_passed(deadline_before_heuristics(deadline, 1000)));
+    EXPECT_TRUE(has_passed(deadline_before_bounds(deadline, 1000)));
+    EXPECT_TRUE(has_passed(deadline_of_bounds(deadline, 1000)));
+    EXPECT_TRUE(has_passed(deadline_of_heuristics(deadline)));
+  }
 }
 
 }  // namespace

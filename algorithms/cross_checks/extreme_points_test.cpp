@@ -23,8 +23,7 @@ struct Answer {
   Interval scaled_weight;  // on exactly scaled points, whose lengths keep their digits
 };
 
-std::optional<Answer> answer_of(const std::string& solver, Points points,
-                                std::optional<Context::Clock::time_point> deadline = {}) {
+std::optional<Answer> answer_of(const std::string& solver, Points points, Deadline deadline = {}) {
   try {
     Solution solution = solve_and_check(solver, points, {}, deadline);
     const Interval found = weight(points, solution.triangulation);

@@ -28,6 +28,7 @@
 #include "algorithms/exact/faces/face_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/usable_threads.h"
+#include "algorithms/interrupted.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
 #include "algorithms/proof/convex_proof.h"
 #include "algorithms/proof_trace.h"
@@ -187,6 +188,7 @@ class ExactSolver {
     try {
       return mark_certain_edges(order_.points, skeleton.stars, context_);
     } catch (const SearchStopped& stopped) {
+      throw_if_interrupted(context_.deadline);
       throw SearchStopped(stopped.reason, stopped.what(),
                           bound_by_stars(order_.points, hull_edges, skeleton.stars,
                                          deadline_of_bounds(bounds_deadline_, points_.size())));
@@ -269,6 +271,7 @@ class ExactSolver {
   }
 
   Solution without_triangulation(StopReason reason, double lower_bound) {
+    throw_if_interrupted(context_.deadline);
     order_ = {};
     Solution solution;
     if (context_.proof != nullptr) note_simple_bound(simple_lower_bound(points_));
@@ -278,6 +281,7 @@ class ExactSolver {
   }
 
   void report_stage(const char* stage, double done) const {
+    throw_if_interrupted(context_.deadline);
     if (context_.progress) context_.progress(stage, done);
   }
 

@@ -24,8 +24,7 @@ constexpr std::size_t kDeadlineInterval = 256;
 
 class Search {
  public:
-  Search(Points points, const Triangulation& start, const std::optional<Context::Clock::time_point>& deadline,
-         std::size_t max_flips)
+  Search(Points points, const Triangulation& start, const Deadline& deadline, std::size_t max_flips)
       : points_(points), triangulation_(start), deadline_(deadline), max_flips_(max_flips) {}
 
   void improve_in_passes() {
@@ -115,13 +114,13 @@ class Search {
   }
 
   bool deadline_passed(std::size_t step) {
-    if (deadline_ && step % kDeadlineInterval == 0) stopped_early_ = Context::Clock::now() >= *deadline_;
+    if (step % kDeadlineInterval == 0) stopped_early_ = has_passed(deadline_);
     return stopped_early_;
   }
 
   Points points_;
   FlipTriangulation triangulation_;
-  std::optional<Context::Clock::time_point> deadline_;
+  Deadline deadline_;
   std::size_t max_flips_;
   std::priority_queue<Proposal> proposals_;
   std::vector<Flip> flips_;
@@ -170,8 +169,8 @@ Solution solve(Points points, Context& context) {
 
 }  // namespace
 
-FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovement improvement,
-                       const std::optional<Context::Clock::time_point>& deadline, std::size_t max_flips) {
+FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovement improvement, const Deadline& deadline,
+                       std::size_t max_flips) {
   Search search(points, start, deadline, max_flips);
   if (improvement == FlipImprovement::first) {
     search.improve_in_passes();

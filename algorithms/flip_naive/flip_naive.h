@@ -36,8 +36,7 @@ struct FlipSearch {
 /// It stops after `max_flips` flips, or at the deadline, saying for the latter that it did.
 /// O(n log n) per pass (first), O((n + flips) log n) (best), O(n + flips) space. Deterministic.
 [[nodiscard]] FlipSearch flip_search(Points points, const Triangulation& start, FlipImprovement improvement,
-                                     const std::optional<Context::Clock::time_point>& deadline,
-                                     std::size_t max_flips = kAnyNumberOfFlips);
+                                     const Deadline& deadline, std::size_t max_flips = kAnyNumberOfFlips);
 
 /// Registry entry: start = delaunay | sweep | greedy (the source report's), or a triangulation given in context.start.
 [[nodiscard]] AlgorithmInfo flip_naive_entry();

@@ -46,8 +46,8 @@ class ConvexSolver {
   void consider_heuristics() {
     const ScopedPhase phase(context_, "heuristics");
     const auto now = deadline_clock();
-    const OtherDeadline share(context_,
-                              context_.deadline ? Deadline(now + (*context_.deadline - now) / 3) : Deadline());
+    const Deadline& whole = context_.deadline;
+    const OtherDeadline share(context_, whole ? whole.moved_to(now + (*whole - now) / 3) : Deadline(whole));
     consider(lightest_heuristic(polygon_, context_).triangles);
   }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "algorithms/interrupted.h"
 #include "algorithms/proof_trace.h"
 #include "base/cpu_clock.h"
 #include "geometry/convex_hull.h"
@@ -31,6 +32,7 @@ Context make_context(const Request& request, std::size_t n) {
   context.start = request.start;
   context.proof = request.proof;
   context.progress = request.progress;
+  context.deadline.interrupt = request.interrupt;
   context.memory_bytes = memory_for_tables(*request.algorithm, n);
   return context;
 }
@@ -41,9 +43,12 @@ Solution execute(const Request& request, Points points, Context& context) {
   if (context.proof != nullptr) *context.proof = {};
   if (request.time_limit_s) {
     const std::chrono::duration<double> limit(*request.time_limit_s);
-    context.deadline = Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(limit);
+    context.deadline =
+        context.deadline.moved_to(Context::Clock::now() + std::chrono::duration_cast<Context::Clock::duration>(limit));
   }
-  return request.algorithm->function(points, context);
+  Solution solution = request.algorithm->function(points, context);
+  throw_if_interrupted(context.deadline);
+  return solution;
 }
 
 // The first execution alone: how many follow depends on the machine, and what a later one finds in the allocator, too.

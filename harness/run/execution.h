@@ -2,6 +2,7 @@
 // line, the workers of a study, the benchmarks.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -34,6 +35,7 @@ struct Request {
   std::optional<Triangulation> start;  ///< checked
   ProofTrace* proof = nullptr;         ///< optional: filled by solvers that can prove what they return
   std::function<void(const std::string& stage, double done)> progress;
+  const std::atomic<bool>* interrupt = nullptr;  ///< optional: once true, Interrupted is thrown soon
 };
 
 /// A solution and what it cost: the algorithm alone, no reading, no checking.
@@ -47,7 +49,8 @@ struct Execution {
   EventCounts counts;            ///< of the first execution; none with several threads
 };
 
-/// The solution alone, with nothing measured; may be called from any thread. Throws what the algorithm throws.
+/// The solution alone, with nothing measured; may be called from any thread. Throws what the algorithm throws,
+/// and Interrupted (algorithms/interrupted.h).
 [[nodiscard]] Execution solve_unmeasured(const Request& request, Points points);
 
 /// One execution. Throws what the algorithm throws; in particular NotApplicable. The algorithm may make tables of up to

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/algorithm.h"
+#include "algorithms/interrupted.h"
 #include "base/error.h"
 #include "geometry/numbers/interval.h"
 #include "geometry/point.h"
@@ -42,6 +43,8 @@ auto with_errors_of_the_library(const Work& work) {
     throw InputError(error.what());
   } catch (const mwt::NotApplicable& error) {
     throw NotApplicable(error.what());
+  } catch (const mwt::Interrupted& error) {
+    throw Interrupted(error.what());
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -83,6 +84,27 @@ TEST(Library, TimeLimitsGiveBounds) {
   EXPECT_EQ(result.stop_reason, "deadline");
   ASSERT_TRUE(result.optimum);
   EXPECT_GT(result.optimum->lower, 0);
+}
+
+TEST(Library, AnInterruptStopsEveryAlgorithm) {
+  const std::atomic<bool> interrupt = true;
+  for (const std::vector<Point>& points :
+       {generate("circle", 12), generate("uniform", 300), generate("circle", 2000)}) {
+    for (const Entry& algorithm : algorithms()) {
+      Options options;
+      options.algorithm = algorithm.name;
+      options.interrupt = &interrupt;
+      try {
+        static_cast<void>(triangulate(points, options));
+        FAIL() << algorithm.name;
+      } catch (const Interrupted&) {
+      } catch (const NotApplicable&) {
+      }
+    }
+  }
+  SolveOptions options;
+  options.interrupt = &interrupt;
+  EXPECT_THROW(static_cast<void>(minimum_weight_triangulation(generate("circle", 3000), options)), Interrupted);
 }
 
 TEST(Library, ReadsAndWritesFiles) {

@@ -31,6 +31,7 @@ Request request_for(const Options& options, const AlgorithmInfo& algorithm) {
   request.seed = options.seed;
   request.threads = options.threads;
   request.time_limit_s = options.time_limit_s;
+  request.interrupt = options.interrupt;
   return request;
 }
 
@@ -100,6 +101,7 @@ Result minimum_weight_triangulation(std::span<const Point> points, const SolveOp
     own.algorithm = "exact";
     own.threads = options.threads;
     own.time_limit_s = options.time_limit_s;
+    own.interrupt = options.interrupt;
     return run(points, own, options.proof_file);
   });
 }

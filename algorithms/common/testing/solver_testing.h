@@ -15,8 +15,7 @@ namespace mwt {
 /// Runs a registered algorithm with its default parameters and those given. The result's triangulation is checked, and
 /// a certified optimum must not contradict its weight.
 inline Solution solve_and_check(const std::string& algorithm, Points points,
-                                const std::map<std::string, std::string>& parameters = {},
-                                std::optional<Context::Clock::time_point> deadline = {}) {
+                                const std::map<std::string, std::string>& parameters = {}, Deadline deadline = {}) {
   const AlgorithmInfo& info = find_algorithm(algorithm);
   Context context;
   context.parameters = Parameters(info.name, info.parameters, parameters);

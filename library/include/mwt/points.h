@@ -43,6 +43,12 @@ class NotApplicable : public Error {
   using Error::Error;
 };
 
+/// The caller's interrupt stopped the computation.
+class Interrupted : public Error {
+ public:
+  using Error::Error;
+};
+
 /// A bug of the library.
 class InternalError : public Error {
  public:

@@ -1,7 +1,7 @@
 // Triangulations of points, and how good they are.
 #pragma once
 
-#include <functional>
+#include <atomic>
 #include <map>
 #include <optional>
 #include <span>
@@ -18,6 +18,9 @@ struct Options {
   std::uint64_t seed = 1;                           ///< of pseudo-random numbers
   int threads = 1;
   std::optional<double> time_limit_s{};  ///< then the best triangulation so far is returned, and stop_reason is set
+
+  /// Once another thread sets this to true, the call soon throws Interrupted; null: nothing stops it.
+  const std::atomic<bool>* interrupt = nullptr;
 };
 
 struct Result {
@@ -33,13 +36,14 @@ struct Result {
 /// A triangulation of the points by one algorithm. Points may repeat and be collinear; fewer than three distinct
 /// points, or all points on one line, are an InputError. Deterministic, whatever the number of threads, unless the time
 /// limit stops it. Time: that of the algorithm, and O(n log n) for checking. Thread-safe. Throws InputError,
-/// NotApplicable, InternalError.
+/// NotApplicable, Interrupted, InternalError.
 [[nodiscard]] Result triangulate(std::span<const Point> points, const Options& options = {});
 
 struct SolveOptions {
   int threads = 1;
   std::optional<double> time_limit_s{};  ///< then there are bounds on the optimum, and the best triangulation found
   std::string proof_file{};              ///< where to write a proof for mwt_verify; empty: none is written
+  const std::atomic<bool>* interrupt = nullptr;  ///< as in Options
 };
 
 /// A minimum weight triangulation, with a certified interval for its weight: the algorithm `exact`. NP-hard in general;

@@ -82,21 +82,30 @@ def _as_texts(parameters) -> Dict[str, str]:
 
 
 def _interruptible(work):
-    """Runs the work so that Ctrl-C ends the program's wait: in a thread of its own, if this is the main thread."""
+    """Calls work(interrupt) so that Ctrl-C ends it: in a thread of its own, if this is the main thread, which Python interrupts."""
+    interrupt = _mwt.Interrupt()
     if threading.current_thread() is not threading.main_thread():
-        return work()
+        return work(interrupt)
     outcome = []
+    has_ended = threading.Event()  # joining does not do: Thread.join() takes a thread for ended when Ctrl-C interrupts it
 
     def run():
         try:
-            outcome.append((work(), None))
+            outcome.append((work(interrupt), None))
         except BaseException as error:  # noqa: BLE001  (it is raised again in the thread that waits)
             outcome.append((None, error))
+        has_ended.set()
 
     thread = threading.Thread(target=run, daemon=True)
     thread.start()
-    while thread.is_alive():
-        thread.join(0.1)  # Ctrl-C raises KeyboardInterrupt here
+    try:
+        while not has_ended.wait(0.1):  # Ctrl-C raises KeyboardInterrupt here
+            pass
+    except BaseException:
+        interrupt.set()
+        has_ended.wait()  # what it has found by then is dropped; a second Ctrl-C no longer waits for that
+        raise
+    thread.join()
     result, error = outcome[0]
     if error is not None:
         raise error
@@ -115,6 +124,7 @@ def _triangulation(points, answer) -> Triangulation:
 
 # Below this a triangulation takes less time than a thread for it.
 _MIN_FOR_THREAD = 2000
+_NEVER = _mwt.Interrupt()
 
 
 def triangulate(points, algorithm: str = "greedy", *, seed: int = 1, threads: int = 1, time_limit: Optional[float] = None,
@@ -131,10 +141,10 @@ def triangulate(points, algorithm: str = "greedy", *, seed: int = 1, threads: in
     own = _as_points(points)
     texts = _as_texts(parameters)
 
-    def work():
-        return _mwt.triangulate(own, algorithm, texts, seed, threads, time_limit)
+    def work(interrupt):
+        return _mwt.triangulate(own, algorithm, texts, seed, threads, time_limit, interrupt)
 
-    return _triangulation(own, work() if len(own) < _MIN_FOR_THREAD else _interruptible(work))
+    return _triangulation(own, work(_NEVER) if len(own) < _MIN_FOR_THREAD else _interruptible(work))
 
 
 def solve(points, proof: Optional[str] = None, *, threads: int = 1, time_limit: Optional[float] = None) -> Triangulation:
@@ -143,11 +153,11 @@ def solve(points, proof: Optional[str] = None, *, threads: int = 1, time_limit: 
     proof       file to write a proof to, for `mwt.verify()` and the program mwt_verify
     time_limit  seconds; then `optimum` has the bounds that are certified by then
 
-    NP-hard in general; a million random points take seconds. Raises as triangulate().
+    NP-hard in general; a million random points take seconds. Ctrl-C ends the computation, as it does in triangulate(). Raises as that.
     """
     own = _as_points(points)
     file = "" if proof is None else os.fspath(proof)
-    return _triangulation(own, _interruptible(lambda: _mwt.solve(own, threads, time_limit, file)))
+    return _triangulation(own, _interruptible(lambda interrupt: _mwt.solve(own, threads, time_limit, file, interrupt)))
 
 
 def check(points, triangles) -> Optional[str]:

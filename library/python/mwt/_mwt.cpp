@@ -54,6 +54,16 @@ py::dict dictionary_of(api::Result&& result) {
   return answer;
 }
 
+// What another thread may set to stop a computation.
+class Interrupt {
+ public:
+  void set() { is_set_ = true; }
+  [[nodiscard]] const std::atomic<bool>& flag() const { return is_set_; }
+
+ private:
+  std::atomic<bool> is_set_ = false;
+};
+
 // Runs without the interpreter's lock.
 template <class Work>
 auto unlocked(const Work& work) {
@@ -85,20 +95,21 @@ PYBIND11_MODULE(_mwt, module) {
     }
   });
   module.def("version", &api::version);
+  py::class_<Interrupt>(module, "Interrupt").def(py::init<>()).def("set", &Interrupt::set);
   module.def("triangulate", [](const Coordinates& points, const std::string& algorithm,
                                const std::map<std::string, std::string>& parameters, std::uint64_t seed, int threads,
-                               std::optional<double> time_limit) {
+                               std::optional<double> time_limit, const Interrupt& interrupt) {
     const auto own = points_in(points);
-    const api::Options options{algorithm, parameters, seed, threads, time_limit};
+    const api::Options options{algorithm, parameters, seed, threads, time_limit, &interrupt.flag()};
     return dictionary_of(unlocked([&] { return api::triangulate(own, options); }));
   });
-  module.def("solve",
-             [](const Coordinates& points, int threads, std::optional<double> time_limit, const std::string& proof) {
-               const auto own = points_in(points);
-               return dictionary_of(unlocked([&] {
-                 return api::minimum_weight_triangulation(own, {threads, time_limit, proof});
-               }));
-             });
+  module.def("solve", [](const Coordinates& points, int threads, std::optional<double> time_limit,
+                         const std::string& proof, const Interrupt& interrupt) {
+    const auto own = points_in(points);
+    return dictionary_of(unlocked([&] {
+      return api::minimum_weight_triangulation(own, {threads, time_limit, proof, &interrupt.flag()});
+    }));
+  });
   module.def("broken_rule", [](const Coordinates& points, const Corners& triangles) {
     const auto own = points_in(points);
     const auto given = triangles_in(triangles);
