@@ -25,6 +25,14 @@ struct Answer {
   std::string errors;
 };
 
+ProcessEndState run_where_slurm_is(const ProcessOrder& order) {
+  try {
+    return run_process(order);
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) + "; mwt cluster needs a login node of a Slurm cluster");
+  }
+}
+
 Answer call(const std::vector<std::string>& words) {
   const CommandFolder folder;
   ProcessOrder order;
@@ -32,7 +40,7 @@ Answer call(const std::vector<std::string>& words) {
   order.input_file = "/dev/null";
   order.output_file = folder.file("output");
   order.error_file = folder.file("errors");
-  const ProcessEndState end = run_process(order);
+  const ProcessEndState end = run_where_slurm_is(order);
   return {end.exit_code == 0, read_file(order.output_file), read_file(order.error_file)};
 }
 

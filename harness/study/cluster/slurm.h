@@ -20,6 +20,9 @@ struct SlurmState {
   /// It waits, runs, or is about to do either.
   [[nodiscard]] bool is_live() const;
   [[nodiscard]] bool is_pending() const { return state == "PENDING"; }
+
+  /// Its processes are being ended, by themselves or by Slurm.
+  [[nodiscard]] bool is_ending() const { return state == "COMPLETING"; }
 };
 
 /// By job id and, for tasks of array jobs, the task's number, else 0.

@@ -194,6 +194,7 @@ class StatusReader {
     const auto live = std::ranges::find_if(tasks, [](const Task& task) { return task.state && task.state->is_live(); });
     if (live != tasks.end()) {
       status.is_live = true;
+      status.is_ending = live->state->is_ending();
       status.seeks_optima = live->job.kind == JobKind::optima;
       status.node = live->state->node;
       status.state = live->state->is_pending() ? ShardState::waiting : ShardState::running;
@@ -278,17 +279,23 @@ std::string merge_text(const ClusterFolder& folder, const ClusterStatus& status)
 
 std::string advice(const ClusterFolder& folder, const ClusterStatus& status) {
   if (status.is_merged) return "";
-  if (status.live_jobs.empty() && status.has_all_runs()) return "next: mwt cluster merge " + folder.path() + '\n';
+  if (status.live_jobs.empty() && status.has_all_runs())
+    return "next: mwt cluster merge " + shell_word(folder.path()) + '\n';
   const auto failed = std::ranges::count(status.shards, ShardState::failed, &ShardStatus::state);
   if (failed == 0) return "";
   return fmt::format("{} failed; what is missing of them runs after:\n  mwt cluster resubmit {}\n",
-                     counted(static_cast<std::size_t>(failed), "shard"), folder.path());
+                     counted(static_cast<std::size_t>(failed), "shard"), shell_word(folder.path()));
 }
 
 }  // namespace
 
 bool ClusterStatus::has_all_runs() const {
   return std::ranges::all_of(shards, [](const ShardStatus& shard) { return shard.runs == shard.planned_runs; });
+}
+
+// script_text() refuses paths with quotes.
+std::string shell_word(const std::string& path) {
+  return path.find(' ') == std::string::npos ? path : '"' + path + '"';
 }
 
 ClusterStatus status_of(const ClusterFolder& folder) { return StatusReader(folder).read(); }

@@ -28,11 +28,12 @@ struct ShardStatus {
   std::size_t optima = 0;  ///< instances whose optimum has been sought
   std::size_t planned_runs = 0;
   std::size_t runs = 0;
-  double left_s = 0;     ///< likely time that it still needs, once it runs
-  std::string node;      ///< where it runs or ran
-  std::string why;       ///< it waits or failed
-  std::string machine;   ///< what it ran on last; empty if nothing
-  bool is_live = false;  ///< one of its tasks waits or runs
+  double left_s = 0;       ///< likely time that it still needs, once it runs
+  std::string node;        ///< where it runs or ran
+  std::string why;         ///< it waits or failed
+  std::string machine;     ///< what it ran on last; empty if nothing
+  bool is_live = false;    ///< one of its tasks waits or runs
+  bool is_ending = false;  ///< it is being ended
 
   [[nodiscard]] bool lacks_optima() const { return optima < instances; }
 };
@@ -47,6 +48,9 @@ struct ClusterStatus {
 
   [[nodiscard]] bool has_all_runs() const;
 };
+
+/// The folder's path as a word of a shell's command line.
+[[nodiscard]] std::string shell_word(const std::string& path);
 
 /// Reads all records of the shards.
 [[nodiscard]] ClusterStatus status_of(const ClusterFolder& folder);

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 #include <vector>
 
 #include "base/error.h"
@@ -122,8 +124,21 @@ void submit_or_take_back(Submission& submission, const Missing& missing) {
   }
 }
 
+// What has just been cancelled counts as running for some seconds more.
+ClusterStatus status_when_nothing_ends(const ClusterFolder& folder) {
+  constexpr int kLooks = 30;
+  constexpr std::chrono::seconds kPause{2};
+  ClusterStatus status = status_of(folder);
+  for (int look = 0; look < kLooks && std::ranges::any_of(status.shards, &ShardStatus::is_ending); ++look) {
+    std::this_thread::sleep_for(kPause);
+    status = status_of(folder);
+  }
+  return status;
+}
+
 std::string next_steps(const std::string& folder) {
-  return fmt::format("how far it is: mwt cluster status {0}\nto stop it:    mwt cluster cancel {0}\n", folder);
+  return fmt::format("how far it is: mwt cluster status {0}\nto stop it:    mwt cluster cancel {0}\n",
+                     shell_word(folder));
 }
 
 }  // namespace
@@ -166,7 +181,7 @@ void submit_study(const Study& study, const Catalogue& catalogue, const SubmitOp
 }
 
 void resubmit_study(const ClusterFolder& folder, const SlurmRequest& request, std::ostream& out) {
-  const ClusterStatus status = status_of(folder);
+  const ClusterStatus status = status_when_nothing_ends(folder);
   if (!status.warning.empty()) throw InputError(status.warning);
   if (status.is_merged) {
     out << "nothing is missing; the records are in " << folder.file("merged") << '\n';
@@ -199,7 +214,7 @@ void cancel_study(const ClusterFolder& folder, std::ostream& out) {
   }
   cancel_jobs(status.live_jobs);
   out << "cancelled: " << (status.live_jobs.size() == 1 ? "job " : "jobs ") << joined(status.live_jobs)
-      << "; what is recorded stays, and mwt cluster resubmit " << folder.path() << " goes on\n";
+      << "; what is recorded stays, and mwt cluster resubmit " << shell_word(folder.path()) << " goes on\n";
 }
 
 }  // namespace mwt

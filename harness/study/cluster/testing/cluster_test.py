@@ -193,6 +193,21 @@ class Cluster(unittest.TestCase):
         self.wait_until("the report", lambda: (self.out / "merged/tables.txt").exists())
         self.assertEqual(len(rows(self.out / "merged", "runs.csv")), 500)
 
+    def test_a_preempted_task_goes_on(self):
+        for shard in (1, 2):
+            self.sleep_of_shard(shard, 1)
+        self.mwt("cluster", "submit", "five_hundred.toml", "--shards", 2, "--out", self.out)
+        runs = rows(self.out, "jobs.csv")[1]["job_id"]
+        self.wait_until("a shard to run", lambda: self.is_running_with(1, 3))
+        node = self.slurm("squeue", "--noheader", f"--jobs={runs}_1", "--format=%N").strip()
+        self.slurm("sbatch", "--partition=urgent", f"--nodelist={node}", "--output=/dev/null", "--wrap=sleep 3")
+        self.wait_until("it to be preempted", lambda: "preempt" in (self.out / "logs/runs-1.log").read_text().lower())
+        for shard in (1, 2):
+            self.sleep_of_shard(shard, 0)
+        self.wait_until("the report", lambda: (self.out / "merged/tables.txt").exists())
+        self.assertEqual({row["status"] for row in rows(self.out / "merged", "runs.csv")}, {"ok"})
+        self.assertEqual(self.newest_attempt(1).name, "attempt-3", "optima, runs, runs again")
+
     def newest_attempt(self, shard):
         return max((self.out / "shards" / str(shard)).iterdir(), key=lambda path: int(path.name.split("-")[1]))
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Runs a command beside a Slurm cluster of its own: with_slurm.sh NODES COMMAND [ARGUMENT...]
 #
-# The "nodes" node1, node2, ... are slurmd processes on the loopback address of this machine, one CPU each. Everything runs in a
+# The "nodes" node1, node2, ... are slurmd processes on the loopback address of this machine, one CPU each; jobs in the partition urgent
+# preempt those in main. Everything runs in a
 # process namespace of its own that ends with this script, however it ends: no daemon and no job is left. The files are in
 # $SLURM_TEST_FOLDER, which is removed. Exit code: the command's; 77, with the reason, where no Slurm can be started.
 set -euo pipefail
@@ -62,9 +63,12 @@ ReturnToService=2
 KillWait=5
 MinJobAge=3600
 SlurmdTimeout=10
+PreemptType=preempt/partition_prio
+PreemptMode=REQUEUE
 SchedulerParameters=batch_sched_delay=0,sched_interval=2,bf_interval=2
 NodeName=node[1-$nodes] NodeHostname=localhost NodeAddr=127.0.0.1 Port=[$((port + 1))-$((port + nodes))] CPUs=1 RealMemory=16000 State=UNKNOWN
-PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
+PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP PriorityTier=1
+PartitionName=urgent Nodes=ALL MaxTime=INFINITE State=UP PriorityTier=2
 CONF
 
 # Temporary files apart from those of programs outside, which take this namespace's process ids for their own.
@@ -80,7 +84,7 @@ for node in $(seq "$nodes"); do
   slurmd -N "node$node" >"$folder/slurmd.out" 2>&1 || skip "slurmd does not start: $(tail -n 1 "$folder/slurmd.out")"
 done
 for _ in $(seq 60); do
-  [ "$(sinfo --noheader --Node --states=idle 2>/dev/null | wc -l)" != "$nodes" ] || ready=yes
+  [ "$(sinfo --noheader --Node --partition=main --states=idle 2>/dev/null | wc -l)" != "$nodes" ] || ready=yes
   [ -z "${ready-}" ] || break
   sleep 0.5
 done
