@@ -66,10 +66,10 @@
     scale() {
       const { nightly_runs, values, aspect } = this.series;
       const sorted = [...values].sort((a, b) => a - b), last = sorted.length - 1;
-      // Of what has noise, spikes are cut off and less than two percent is not blown up; what is exact is shown whole.
-      const noisy = aspect === "time" || aspect === "memory" || aspect === "counts";
+      // Of what has noise, spikes are cut off and less than two percent is not blown up; what is exact is shown whole. Counts are nearly exact.
+      const noisy = aspect === "time" || aspect === "memory";
       const low = sorted[noisy ? Math.floor(0.05 * last) : 0], high = sorted[noisy ? Math.ceil(0.95 * last) : last];
-      const span = this.span = Math.max(1.5 * (high - low), noisy ? 0.02 * high : 0) || 1;
+      const span = this.span = Math.max(1.5 * (high - low), noisy || aspect === "counts" ? 0.02 * high : 0) || 1;
       this.isConstant = sorted[0] === sorted[last];
       // No scale goes below zero for values that do not.
       const middle = this.middle = this.isConstant || low < 0 ? (low + high) / 2 : Math.max((low + high) / 2, span / 2);
@@ -190,8 +190,11 @@
   }
   const lenses = {};
   if (measureOf.times && measureOf.counts) {
+    const group = add(controls, "span", { className: "lenses" });
+    group.setAttribute("role", "group");
+    group.setAttribute("aria-label", "times or counts");
     for (const lens of Object.keys(LENSES)) {
-      lenses[lens] = add(controls, "button", { type: "button", textContent: lens, title: measureOf[lens] });
+      lenses[lens] = add(group, "button", { type: "button", textContent: lens, title: measureOf[lens] });
       lenses[lens].addEventListener("click", () => choose({ lens: chosen.lens === lens ? "" : lens, measure: "" }));
     }
   }
