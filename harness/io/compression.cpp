@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/filter/bzip2.hpp>
@@ -51,12 +52,12 @@ std::optional<Kind> kind_of(std::string_view content) {
 
 constexpr std::size_t kBlock = std::size_t{1} << 20;
 
-// More than kMaxDecompressed bytes.
+// More than max_decompressed() bytes.
 class TooLong : public std::exception {};
 
 // A chunk is added while there is room.
-void add_chunk(std::string& result) {
-  if (result.size() > kMaxDecompressed) throw TooLong();
+void add_chunk(std::string& result, std::size_t compressed_size) {
+  if (result.size() > max_decompressed(compressed_size)) throw TooLong();
   result.resize(result.size() + kBlock);
 }
 
@@ -69,7 +70,7 @@ std::string without(const std::string& content, const Decompressor& decompressor
   std::string result;
   while (stream) {
     const std::size_t size = result.size();
-    add_chunk(result);
+    add_chunk(result, content.size());
     stream.read(result.data() + size, static_cast<std::streamsize>(kBlock));
     result.resize(size + static_cast<std::size_t>(stream.gcount()));
   }
@@ -85,7 +86,7 @@ std::string without_zstd(const std::string& content) {
   bool is_output_full = false;
   while (in.pos < in.size || is_output_full) {
     const std::size_t size = result.size();
-    add_chunk(result);
+    add_chunk(result, content.size());
     ZSTD_outBuffer out{result.data() + size, kBlock, 0};
     missing = ZSTD_decompressStream(stream.get(), &out, &in);
     if (ZSTD_isError(missing) != 0) throw std::runtime_error("damaged");
@@ -108,6 +109,12 @@ std::string without(Compression compression, const std::string& content) {
 
 }  // namespace
 
+std::size_t max_decompressed(std::size_t compressed_size) {
+  constexpr std::size_t kAlways = std::size_t{1} << 28, kMost = std::size_t{1} << 34;
+  constexpr std::size_t kRatio = 100;  // text of coordinates: 2 to 10
+  return std::clamp(std::min(compressed_size, kMost) * kRatio, kAlways, kMost);
+}
+
 std::string decompressed(std::string content, const std::string& source) {
   constexpr int kMaxLayers = 4;
   for (int layer = 0; layer < kMaxLayers; ++layer) {
@@ -116,8 +123,8 @@ std::string decompressed(std::string content, const std::string& source) {
     try {
       content = without(kind->compression, content);
     } catch (const TooLong&) {
-      throw InputError(
-          fmt::format("{}: decompresses to more than {} GB; decompress it yourself", source, kMaxDecompressed >> 30));
+      const std::size_t limit = max_decompressed(content.size());
+      throw InputError(fmt::format("{}: decompresses to more than {} MB; decompress it yourself", source, limit >> 20));
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception&) {

@@ -7,10 +7,12 @@
 namespace mwt {
 
 /// The content without its compression, which its first bytes tell: gzip, bzip2, xz or zstd, several times if need be;
-/// other content as it is. Throws InputError naming `source`: damaged, cut off, or more than kMaxDecompressed bytes.
+/// other content as it is. Throws InputError naming `source`: damaged, cut off, or more than max_decompressed() bytes.
 [[nodiscard]] std::string decompressed(std::string content, const std::string& source);
 
-inline constexpr std::size_t kMaxDecompressed = std::size_t{1} << 34;
+/// 256 MiB, or 100 times the compressed size if that is more, but at most 16 GiB: a small file does not fill the
+/// memory.
+[[nodiscard]] std::size_t max_decompressed(std::size_t compressed_size);
 
 /// The name without endings of compressed files: "a.tsp" for "a.tsp.gz".
 [[nodiscard]] std::string_view without_compression_ending(std::string_view path);

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "harness/io/compression.h"
 #include "harness/io/input_file.h"
+#include "harness/io/text/json_text.h"
 #include "harness/io/text/text.h"
 #include "harness/io/text/text_file.h"
 #include "harness/io/text/text_lines.h"
@@ -64,7 +65,7 @@ class JsonSolution {
 
   [[nodiscard]] Index index_of(const Json& value, std::size_t place) const {
     const bool is_index = value.is_number_unsigned() && value.get<std::uint64_t>() < kNoIndex;
-    if (!is_index) fail(fmt::format("entry {} has {}, which is not the index of a point", place, shown(value.dump())));
+    if (!is_index) fail(fmt::format("entry {} has {}, which is not the index of a point", place, shown_json(value)));
     return value.get<Index>();
   }
 

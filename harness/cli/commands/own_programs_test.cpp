@@ -18,5 +18,20 @@ TEST_F(OwnPrograms, AStudyFileInTheWorkingFolder) {
   EXPECT_EQ(shell("[ $(grep -c ,ok, results/mine/runs.csv) = 2 ]"), 0);
 }
 
+// mwt has no chance to clean up; the process that it left on guard does.
+TEST_F(OwnPrograms, DieWithMwtWhenItIsKilled) {
+  write("mine.toml",
+        "name = \"mine\"\nsummary = \"A program that detaches itself\"\nfamilies = [\"uniform\"]\nsizes = [10]\n"
+        "algorithms = [{ name = \"mine\", command = [\"sh\", \"-c\", "
+        "\"setsid sh -c 'trap : TERM HUP INT; touch " +
+            path("begun") + "; sleep 987654321' & exec sleep 987654321\"] }]\n");
+  const std::string running = "grep -sqz '^98765432[1]$' /proc/[0-9]*/cmdline";
+  ASSERT_EQ(shell(MWT_EXECUTABLE
+                  " run mine.toml --quiet >.out 2>&1 & pid=$!; "
+                  "for i in $(seq 300); do [ -e begun ] && break; sleep 0.1; done; [ -e begun ] && kill -9 $pid"),
+            0);
+  EXPECT_EQ(shell("for i in $(seq 300); do " + running + " || break; sleep 0.1; done; ! " + running), 0);
+}
+
 }  // namespace
 }  // namespace mwt

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "harness/io/points/point_formats.h"
+#include "harness/io/text/json_text.h"
 #include "harness/io/text/text_lines.h"
 
 namespace mwt {
@@ -231,22 +232,26 @@ class GeoJson {
   explicit GeoJson(const std::string& source) : source_(source) {}
 
   std::vector<Point> points_of(const Json& document) {
-    add(document);
+    add(document, 0);
     if (points_.empty()) throw InputError(source_ + ": GeoJSON without points");
     return std::move(points_);
   }
 
  private:
-  void add(const Json& object) {
+  // Collections within collections: more than a few are an attack on the stack.
+  static constexpr int kMaxDepth = 100;
+
+  void add(const Json& object, int depth) {
+    if (depth > kMaxDepth) fail(fmt::format("GeoJSON collections are nested more than {} deep", kMaxDepth));
     const std::string type = object.is_object() ? object.value("type", "") : "";
     if (type == "FeatureCollection") {
-      for (const Json& feature : list_in(object, "features")) add(feature);
+      for (const Json& feature : list_in(object, "features")) add(feature, depth + 1);
     } else if (type == "GeometryCollection") {
-      for (const Json& geometry : list_in(object, "geometries")) add(geometry);
+      for (const Json& geometry : list_in(object, "geometries")) add(geometry, depth + 1);
     } else if (type == "Feature") {
       const auto geometry = object.find("geometry");
       if (geometry == object.end() || geometry->is_null()) fail("a feature without geometry");
-      add(*geometry);
+      add(*geometry, depth + 1);
     } else if (type == "MultiPoint") {
       for (const Json& position : list_in(object, "coordinates")) add_position(position);
     } else if (type == "Point") {
@@ -262,11 +267,23 @@ class GeoJson {
     return *found;
   }
 
+  // "[1,2,3]", as far as it is flat.
+  [[nodiscard]] static std::string shown_position(const Json& position) {
+    if (!position.is_array()) return shown_json(position);
+    std::string text;
+    for (const Json& number : position) {
+      constexpr std::size_t kMaxShown = 60;
+      if (text.size() > kMaxShown) break;
+      text += (text.empty() ? "" : ",") + (number.is_structured() ? shown_json(number) : number.dump());
+    }
+    return shown('[' + text + ']');
+  }
+
   void add_position(const Json& position) {
     const bool is_pair =
         position.is_array() && position.size() == 2 && position[0].is_number() && position[1].is_number();
     if (!is_pair)
-      fail(fmt::format("point {} of this GeoJSON is not two numbers: {}", points_.size(), shown(position.dump())));
+      fail(fmt::format("point {} of this GeoJSON is not two numbers: {}", points_.size(), shown_position(position)));
     points_.push_back({position[0].get<double>(), position[1].get<double>()});
   }
 

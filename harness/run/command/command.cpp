@@ -102,6 +102,7 @@ class CommandExecution {
     for (const std::string& word : command_.words) order.words.push_back(filled_in(word, points_file));
     for (const auto& [name, value] : command_.environment) order.environment[name] = filled_in(value, points_file);
     order.folder = command_.folder;
+    order.mark = folder_.path();
     order.input_file = has_placeholder(command_, "points") ? "/dev/null" : points_file;
     order.output_file = folder_.file("output.csv");
     order.error_file = folder_.file("errors.txt");

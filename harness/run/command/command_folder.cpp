@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "harness/run/command/process_guard.h"
 
 namespace mwt {
 
@@ -67,7 +68,9 @@ void remove_abandoned_command_folders() {
     struct stat status {};
     const bool is_own =
         lstat(entry->path().c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid();
-    if (is_own) remove_folder(entry->path());
+    if (!is_own) continue;
+    kill_marked(entry->path().string());
+    remove_folder(entry->path());
   }
 }
 

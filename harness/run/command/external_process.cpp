@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "harness/run/command/process_guard.h"
 #include "harness/run/machine/orphans.h"
 
 namespace mwt {
@@ -44,11 +45,11 @@ class ExecText {
   std::vector<char*> pointers_;
 };
 
-std::vector<std::string> environment_with(const std::map<std::string, std::string>& more) {
-  std::vector<std::string> lines;
+std::vector<std::string> environment_with(const std::string& mark, const std::map<std::string, std::string>& more) {
+  std::vector<std::string> lines = {std::string(kCommandMark) + '=' + mark};
   for (char** line = environ; *line != nullptr; ++line) {
-    const std::string text = *line;
-    if (!more.contains(text.substr(0, text.find('=')))) lines.push_back(text);
+    const std::string text = *line, name = text.substr(0, text.find('='));
+    if (name != kCommandMark && !more.contains(name)) lines.push_back(text);
   }
   for (const auto& [name, value] : more) lines.push_back(name + '=' + value);
   return lines;
@@ -175,7 +176,7 @@ ProcessEndState run_process(const ProcessOrder& order) {
   Descriptor exec_error(pipe_ends[1]);
   const Launch launch{program,
                       ExecText(order.words),
-                      ExecText(environment_with(order.environment)),
+                      ExecText(environment_with(order.mark, order.environment)),
                       order.folder,
                       {input.get(), output.get(), errors.get()},
                       exec_error.get(),
@@ -186,6 +187,8 @@ ProcessEndState run_process(const ProcessOrder& order) {
   int status = 0;
   {
     lock_children();
+    const ProcessGuard guard(order.mark);
+    const AwaitedChild awaited_guard(guard.pid());
     const Clock::time_point begin = Clock::now();
     const pid_t pid = fork();
     if (pid == 0) become(launch);

@@ -15,6 +15,7 @@ struct ProcessOrder {
   std::vector<std::string> words;  ///< program and arguments; the program is sought in PATH
   std::string folder;              ///< empty: the current one
   std::map<std::string, std::string> environment;
+  std::string mark;         ///< the value of kCommandMark in its environment, like no other's (process_guard.h)
   std::string input_file;   ///< its standard input
   std::string output_file;  ///< its standard output goes there
   std::string error_file;
@@ -30,7 +31,8 @@ struct ProcessEndState {
   std::uint64_t peak_rss_bytes = 0;
 };
 
-/// Runs a program to its end, and kills whatever it leaves behind. It dies with the calling thread. Throws InputError
+/// Runs a program to its end, and kills whatever it leaves behind. It and all that it started die with the calling
+/// thread. Throws InputError
 /// if there is no such program or folder. Thread-safe.
 [[nodiscard]] ProcessEndState run_process(const ProcessOrder& order);
 
