@@ -22,6 +22,7 @@
 namespace mwt {
 
 struct ProofTrace;  // algorithms/proof_trace.h
+struct StepTrace;   // algorithms/step_trace.h
 
 /// The algorithm does not take this instance (too many points, not in convex position, ...). Not a failure: the
 /// message states what it takes.
@@ -56,6 +57,7 @@ class Context {
   Deadline deadline;                          ///< soft: return the best valid triangulation found by then
   std::optional<std::uint64_t> memory_bytes;  ///< soft: no larger tables than that; none: as much as it takes
   ProofTrace* proof = nullptr;                ///< optional: where a solver notes its conclusions for mwt_verify
+  StepTrace* steps = nullptr;                 ///< optional: where an algorithm notes what it does, step by step
   std::optional<Triangulation> start;         ///< a given triangulation to start from, already checked
   std::function<void(const std::string& stage, double done)> progress;  ///< optional; done in [0, 1]
   std::vector<std::pair<std::string, double>> phases;                   ///< seconds per named phase, in order
@@ -115,6 +117,7 @@ struct AlgorithmInfo {
   int version = 1;                    ///< raised whenever a change may alter results: keys cached optima
   bool convex_position_only = false;  ///< NotApplicable unless all points lie on the hull's boundary
   bool has_proofs = false;            ///< fills the proof that the context asks for
+  bool has_steps = false;             ///< fills the steps that the context asks for
   bool runs_outside = false;          ///< in another process: fills context.outside
   std::vector<ParameterInfo> parameters;
   AlgorithmFunction function = nullptr;

@@ -2,6 +2,8 @@
 
 #include "algorithms/greedy/greedy_builder.h"
 #include "algorithms/greedy/greedy_marks.h"
+#include "algorithms/step_trace.h"
+#include "geometry/mesh/edge_order.h"
 
 namespace mwt {
 
@@ -19,6 +21,12 @@ Triangulation greedy_triangulation(Points points) {
 
 namespace {
 
+// The order in which greedy takes its edges is that of their lengths, however they were found.
+void note_steps(Points points, const Triangulation& triangulation, StepTrace& steps) {
+  steps.kept = edges_of(triangulation);
+  sort_by_length(points, steps.kept);
+}
+
 Solution run_greedy(Points points, Context& context) {
   const auto delaunay = [&] {
     const ScopedPhase phase(context, "delaunay");
@@ -31,6 +39,7 @@ Solution run_greedy(Points points, Context& context) {
   solution.triangulation = mesh.triangulation();
   solution.counters = {{"ears", static_cast<double>(counters.ears)}, {"flips", static_cast<double>(counters.flips)}};
   solution.stop_reason = deadline_if(counters.stopped_early);
+  if (context.steps != nullptr && !counters.stopped_early) note_steps(points, solution.triangulation, *context.steps);
   return solution;
 }
 
@@ -53,6 +62,7 @@ AlgorithmInfo greedy_entry() {
   info.space = "O(n), less than 200 bytes per point";
   info.max_n = 10'000'000;
   info.version = 2;
+  info.has_steps = true;
   info.function = run_greedy;
   return info;
 }

@@ -11,6 +11,7 @@
 
 #include "algorithms/common/lightest_heuristic.h"
 #include "algorithms/greedy/greedy.h"
+#include "algorithms/step_trace.h"
 #include "geometry/convex_hull.h"
 #include "geometry/mesh/edge_order.h"
 #include "geometry/predicates.h"
@@ -150,7 +151,7 @@ Solution solve(Points points, Context& context) {
   const ScopedPhase phase(context, "greedy");
   std::optional<Triangulation> result;
   if (context.fits(bytes_for_pairs(points.size()))) {
-    result = greedy_naive(points, deadline_before_heuristics(context.deadline, points.size()));
+    result = greedy_naive(points, deadline_before_heuristics(context.deadline, points.size()), context.steps);
     if (!result) solution.stop_reason = StopReason::deadline;
   } else {
     solution.stop_reason = StopReason::memory;
@@ -163,7 +164,7 @@ Solution solve(Points points, Context& context) {
 
 Triangulation greedy_naive(Points points) { return *greedy_naive(points, Deadline{}); }
 
-std::optional<Triangulation> greedy_naive(Points points, const Deadline& deadline) {
+std::optional<Triangulation> greedy_naive(Points points, const Deadline& deadline, StepTrace* steps) {
   require_moderate_size(points);
   const std::size_t wanted = 2 * points.size() - convex_hull(points).size() - 2;
   KeptEdges kept(points);
@@ -176,6 +177,7 @@ std::optional<Triangulation> greedy_naive(Points points, const Deadline& deadlin
     const Edge& pair = (*pairs)[i];
     if (kept.cross(pair)) continue;
     kept.add(pair);
+    if (steps != nullptr) steps->kept.push_back(pair);
     assembly.add(pair);
   }
   return Triangulation{static_cast<Index>(points.size()), assembly.take()};
@@ -190,6 +192,7 @@ AlgorithmInfo greedy_naive_entry() {
   info.time = "O(n^3) worst case (the source report bounds it by O(n^4))";
   info.space = "O(n^2)";
   info.max_n = 4000;
+  info.has_steps = true;
   info.function = solve;
   return info;
 }

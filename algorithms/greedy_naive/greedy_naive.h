@@ -26,7 +26,9 @@ namespace mwt {
 [[nodiscard]] Triangulation greedy_naive(Points points);
 
 /// The same; nothing if the deadline passes first, for an unfinished greedy is no triangulation.
-[[nodiscard]] std::optional<Triangulation> greedy_naive(Points points, const Deadline& deadline);
+/// `steps`, if not null, gets the edges as they are kept.
+[[nodiscard]] std::optional<Triangulation> greedy_naive(Points points, const Deadline& deadline,
+                                                        StepTrace* steps = nullptr);
 
 /// Registry entry. Where the deadline or memory stop it, the triangulation is that of `greedy`, which is the same.
 [[nodiscard]] AlgorithmInfo greedy_naive_entry();

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "algorithms/hull_insertion/split_distribution.h"
+#include "algorithms/hull_insertion/split_history.h"
 #include "algorithms/polygon_dp/convex_polygon.h"
+#include "algorithms/step_trace.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/scaling.h"
 #include "geometry/weight.h"
@@ -47,6 +49,15 @@ InsertionOrder order_named(const std::string& name) {
   return name == "x" ? InsertionOrder::x : InsertionOrder::index;
 }
 
+// The same insertions one by one.
+void note_steps(Points points, const std::vector<Index>& hull, const std::vector<Triangle>& hull_triangles,
+                const std::vector<Index>& interior, StepTrace& steps) {
+  steps.start = hull_triangles;
+  SplitHistory history(points, hull, hull_triangles, interior.size());
+  history.note_splits_in(&steps.splits);
+  for (const Index p : interior) history.insert(p);
+}
+
 Solution solve(Points points, Context& context) {
   HullInsertion result = hull_insertion(points, order_named(context.parameters.text("order")), context.seed, context);
   Solution solution;
@@ -76,8 +87,9 @@ HullInsertion hull_insertion(Points points, InsertionOrder order, std::uint64_t 
   const std::vector<Triangle>& hull_triangles = of_hull.triangles;
   const Interval hull_weight = weight(points, {static_cast<Index>(points.size()), hull_triangles});
   const ScopedPhase phase(context, "insertion");
-  SplitTriangles result =
-      insert_by_splitting(points, hull, hull_triangles, interior_points_in_order(points, hull, order, seed));
+  const std::vector<Index> interior = interior_points_in_order(points, hull, order, seed);
+  SplitTriangles result = insert_by_splitting(points, hull, hull_triangles, interior);
+  if (context.steps != nullptr) note_steps(points, hull, hull_triangles, interior, *context.steps);
   return {{static_cast<Index>(points.size()), std::move(result.triangles)},
           static_cast<Index>(hull.size()),
           hull_weight,
@@ -96,6 +108,7 @@ AlgorithmInfo hull_insertion_entry() {
   info.space = "O(h^2 + n)";
   info.max_n = 1'000'000;
   info.version = 3;
+  info.has_steps = true;
   info.parameters = {{"order",
                       ParameterType::choice,
                       "index",

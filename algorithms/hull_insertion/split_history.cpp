@@ -111,6 +111,7 @@ Index SplitHistory::split(Index region, Index p) {
       opposite = triangle[(i + 2) % 3];
     }
   }
+  if (splits_ != nullptr) splits_->push_back({triangle, p, opposite});
   return opposite;
 }
 

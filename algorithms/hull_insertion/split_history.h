@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/hull_insertion/preferred_paths.h"
+#include "algorithms/step_trace.h"
 #include "geometry/triangulation.h"
 
 namespace mwt {
@@ -31,6 +32,9 @@ class SplitHistory {
   /// Precondition: p lies inside the triangle or part, or on its boundary, except on a side of `chain`; it is no corner
   /// yet.
   void insert(Index p);
+
+  /// From now on, each triangle that is split is noted there; null: no longer.
+  void note_splits_in(std::vector<TracedSplit>* splits) { splits_ = splits; }
 
   /// The current list.
   [[nodiscard]] std::vector<Triangle> triangles() const;
@@ -60,6 +64,7 @@ class SplitHistory {
   std::vector<Region> regions_;
   PreferredPaths paths_;
   std::size_t edge_splits_ = 0;
+  std::vector<TracedSplit>* splits_ = nullptr;
 };
 
 }  // namespace mwt

@@ -12,8 +12,10 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "harness/explore/played_run.h"
+#include "harness/explore/proved_run.h"
 #include "harness/explore/read_content.h"
 #include "harness/explore/shown_runs.h"
+#include "harness/hunt/climber.h"
 #include "harness/io/points/point_file.h"
 #include "harness/run/process_pool.h"
 #include "harness/run/start_triangulation.h"
@@ -69,8 +71,12 @@ class Job {
       solve(json, request.bytes);
     } else if (job == "play") {
       play(json, request.bytes);
+    } else if (job == "prove") {
+      prove(json, request.bytes);
+    } else if (job == "hunt") {
+      hunt(json);
     } else {
-      throw InputError("unknown job '" + job + "'; known: generate, open, solve, play");
+      throw InputError("unknown job '" + job + "'; known: generate, open, solve, play, prove, hunt");
     }
     answer_.send({R"({"type":"end"})", ""});
   }
@@ -215,6 +221,61 @@ class Job {
     const std::optional<Frame> trace = decoded(sent);
     if (!trace) throw InputError(request.algorithm->name + " has no steps to show on these points");
     answer_.send(*trace);
+  }
+
+  void prove(const Json& json, const std::string& bytes) {
+    const double time_limit_s = time_limit_of(json);
+    Request request = request_of(value_of<Json>(json, "algorithm"), seed_of(json), time_limit_s);
+    const std::string& name = request.algorithm->name;
+    if (!request.algorithm->has_proofs)
+      throw InputError(name + " writes no proofs; exact is one of the algorithms that do");
+    const Instance instance = make_instance(moderate_points(bytes), "these points");
+    std::string proof;
+    start_proved_run(pool_, request, instance, run_limits_for(time_limit_s),
+                     [&proof](const RatedRun&, std::string enclosed) { proof = std::move(enclosed); });
+    wait();
+    if (proof.empty()) throw InputError(name + " has not proved anything within its limits");
+    answer_.send({R"({"type":"proof"})", std::move(proof)});
+  }
+
+  // In this process: many short runs, none worth a process. What goes wrong ends the job alone.
+  void hunt(const Json& json) {
+    constexpr std::uint64_t kMinN = 4, kMaxN = 60;
+    const auto n = value_of<std::uint64_t>(json, "n");
+    if (n < kMinN || n > kMaxN) throw InputError(fmt::format("a hunt is for {} to {} points", kMinN, kMaxN));
+    const double budget_s = time_limit_of(json);
+    const Request request = request_of(value_of<Json>(json, "algorithm"), 1, budget_s);
+    const AlgorithmInfo& solver = solver_for_hunt(catalogue_, static_cast<Index>(n));
+    const AlphaOracle oracle(request, solver);
+    Climber climber(oracle, static_cast<Index>(n), seed_of(json), 0);
+    try {
+      climb(climber, budget_s);
+    } catch (const std::logic_error& failure) {  // an invalid triangulation, or an optimum that is none
+      throw InputError(failure.what());
+    }
+  }
+
+  // Tells the worst instance so far, about five times a second while it becomes worse, and what was tried.
+  void climb(Climber& climber, double budget_s) {
+    using Clock = std::chrono::steady_clock;
+    constexpr auto kPause = std::chrono::milliseconds(200);
+    const Clock::time_point end =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(budget_s));
+    Clock::time_point next = Clock::now();
+    double told = 0;
+    bool goes_on = true;
+    while (goes_on) {
+      climber.step();
+      answer_.require_reader();
+      goes_on = Clock::now() < end;
+      if (goes_on && Clock::now() < next) continue;
+      next = Clock::now() + kPause;
+      const ClimberState& state = climber.state();
+      const bool is_worse = state.best.alpha > told;
+      told = state.best.alpha;
+      answer_.send({text_of({{"type", "hunted"}, {"alpha", told}, {"evaluations", state.evaluations}}),
+                    is_worse ? bytes_of(state.best.points) : ""});
+    }
   }
 
   void send_instance(const Instance& instance) const {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "harness/explore/job_host.h"
+#include "harness/explore/server/job_host.h"
 #include "harness/rating/isolated_run.h"
 #include "harness/run/catalogue.h"
 
@@ -31,6 +31,9 @@ struct JobLimits {
 ///   solve     algorithms [{name, parameters}], seed, optimum (true: seek the proved optimum, too), time_limit_s,
 ///             bytes of the points                                  -> instance, run..., rating... and optimum
 ///   play      algorithm {name, parameters}, seed, time_limit_s, bytes of the points  -> instance, trace
+///   prove     as play                                              -> proof
+///   hunt      algorithm {name, parameters}, n, seed, time_limit_s: the search of `mwt hunt` by one climber  ->
+///   hunted...
 ///
 /// Every frame of the answer has a `type`. The last one is `end`, or `error` with a message for people: a mistake in
 /// the request, points that are no instance. An algorithm that crashes, hangs or takes too much memory is a `run` with
@@ -45,6 +48,8 @@ struct JobLimits {
 ///   the
 ///             lightest triangulation that an exact algorithm returned
 ///   trace     steps, start_edges (counts), stages [{name, reason, begin}]; bytes: bytes_of(PlayedSteps)
+///   proof     bytes: a proof file for mwt_verify
+///   hunted    alpha, evaluations; bytes: the points, if they are worse than those before
 ///   rating    slot, run {...}: with optimum and alpha, as mwt solve --with-optimum states them
 void do_job(const Catalogue& catalogue, const JobLimits& limits, const std::string& request, const JobAnswer& answer);
 

@@ -125,15 +125,18 @@ class ExplorerTest(PageTestCase):
             self.mouse("mouseMoved", x + dx * step / steps, y + dy * step / steps)
         self.mouse("mouseReleased", x + dx, y + dy)
 
-    def saved(self, name):
-        """The content of a file that a button saved."""
+    def save(self, selector, name):
+        """The path of the file of that name that a button saves."""
         path = pathlib.Path(self.folder.name) / name
+        path.unlink(missing_ok=True)
+        self.value(f"document.querySelector({selector!r}).click()")
         end = time.monotonic() + PATIENCE_S
         while not path.is_file() and time.monotonic() < end:
             time.sleep(0.05)
-        content = path.read_text()
-        path.unlink()
-        return content
+        return path
+
+    def saved(self, selector, name):
+        return self.save(selector, name).read_text()
 
     def test_numbers_are_those_of_solve(self):
         self.assert_equals_solve()
@@ -228,13 +231,10 @@ class ExplorerTest(PageTestCase):
         self.drag(7, 60, -35)
         self.wait_until_complete()
         before = self.coordinates()
-        self.value("document.querySelector('[data-save=svg]').click()")
-        self.assertEqual(self.saved("triangulations.svg").count("<circle"), 100)
-        self.value("document.querySelector('[data-save=first]').click()")
-        self.assertEqual(len(self.saved("first.csv").splitlines()), 2 * 100 - 2 - self.value("explorer.shown.instance.hull_size"))
-        self.value("document.querySelector('[data-save=points]').click()")
+        self.assertEqual(self.saved("[data-save=svg]", "triangulations.svg").count("<circle"), 100)
+        self.assertEqual(len(self.saved("[data-save=first]", "first.csv").splitlines()), 2 * 100 - 2 - self.value("explorer.shown.instance.hull_size"))
         points = pathlib.Path(self.folder.name) / "again.csv"
-        points.write_text(self.saved("points.csv"))
+        points.write_text(self.saved("[data-save=points]", "points.csv"))
         self.generate("circle", 9)
         self.wait_for("explorer.points.size == 9")
         self.wait_until_complete()
@@ -327,6 +327,46 @@ class ExplorerTest(PageTestCase):
                 self.wait_for("window.axeFound ? 'done' : ''")
                 found = self.value("window.axeFound.map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 200)).join(' | ')}`)")
                 self.assertEqual(found, [], f"{width} pixels, dark: {dark}")
+
+    def test_a_hunt_finds_bad_points_and_its_command_repeats_it(self):
+        self.value("document.getElementById('hunt-budget').value = '60'")
+        self.value("document.getElementById('hunt-n').value = '6'")
+        self.value("document.getElementById('hunt-start').click()")
+        self.wait_for("explorer.points.size === 6 && document.getElementById('hunt-text').textContent.includes('worst α 1.0')")
+        self.value("document.getElementById('hunt-start').click()")
+        command = self.wait_for("document.getElementById('hunt-command').textContent")
+        self.wait_until_complete()
+        self.assert_equals_solve()
+        words = shlex.split(command)
+        subprocess.run([str(program()), *words[1:]], cwd=self.folder.name, check=True, capture_output=True)
+        lines = (pathlib.Path(self.folder.name) / "bad.txt").read_text().splitlines()
+        found = [float(number) for line in lines if line[0] != "#" for number in line.split()]
+        self.assertEqual(found, self.coordinates())
+
+    def test_the_saved_proof_is_accepted(self):
+        points = self.save("[data-save=points]", "points.csv")
+        proof = self.save("#save-proof", "points.mwtproof")
+        verifier = program().with_name("mwt_verify")
+        verified = subprocess.run([verifier, points, proof], capture_output=True, text=True)
+        self.assertEqual(verified.returncode, 0, verified.stdout + verified.stderr)
+
+    def test_flat_points_can_be_stretched(self):
+        self.open_view("family=greedy_corridor&n=40&seed=1&first=greedy&second=optimum&time_limit=10&stretch")
+        view = self.value("explorer.picture.view")
+        self.assertGreater(view["stretch"], 2)
+        self.drag(7, 0, 30)
+        self.wait_until_complete()
+        self.assert_equals_solve()
+
+    def play_and_compare(self, algorithm, more=""):
+        self.play(f"family=lattice&n=60&seed=3&first={algorithm}{more}&second=none&time_limit=10")
+        self.assert_played_to_the_shown_triangulation()
+
+    def test_greedy_and_insertion_are_played_to_the_end(self):
+        for algorithm in ("greedy", "greedy_naive", "hull_insertion"):
+            self.play_and_compare(algorithm)
+        self.play("family=uniform&n=50&seed=3&first=greedy&second=none&time_limit=10")
+        self.assertIn("crosses none", self.value("(explorer.player.step(1), document.getElementById('play-text').textContent)"))
 
     def test_what_has_no_steps_is_told(self):
         self.value("document.getElementById('first').value = 'quadtree'")

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/proof_trace.h"
+#include "algorithms/step_trace.h"
 #include "harness/explore/frame.h"
 #include "harness/explore/played_steps.h"
 
@@ -39,10 +40,13 @@ void start_played_run(ProcessPool& pool, Request request, const Instance& instan
                       std::function<void(RatedRun, std::string)> when_done) {
   // The process has its own copies; nothing here changes.
   ProofTrace proof;
+  StepTrace steps;
   request.parameters = with_trace(request);
   if (request.algorithm->has_proofs) request.proof = &proof;
+  if (request.algorithm->has_steps) request.steps = &steps;
   const auto enclose = [&](const Execution& execution) -> std::string {
     if (proof.is_complete) return trace_frame(played_proof(proof, execution.solution, instance.set));
+    if (!steps.kept.empty() || !steps.start.empty()) return trace_frame(played_trace(steps, instance.set));
     if (!execution.solution.flips.empty()) return trace_frame(played_flips(execution.solution, instance.set));
     return "";
   };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "algorithms/proof_trace.h"
+#include "algorithms/step_trace.h"
 #include "harness/explore/frame.h"
 
 namespace mwt {
@@ -171,6 +172,39 @@ PlayedSteps played_flips(const Solution& solution, const PointSet& set) {
 
 PlayedSteps played_proof(const ProofTrace& proof, const Solution& solution, const PointSet& set) {
   return ProofPlayer(proof, set).play(solution);
+}
+
+namespace {
+
+// A split joins the corners to the point; where the point lies on a side, that side leaves first.
+void play_split(const TracedSplit& split, const PointSet& set, std::set<Edge>& edges, std::vector<PlayedStep>& steps) {
+  const auto in_input = [&](Index a, Index b) { return make_edge(set.input_indices[a], set.input_indices[b]); };
+  for (std::size_t i = 0; i < split.triangle.size(); ++i) {
+    if (split.triangle[i] != split.opposite) continue;
+    const Edge side = in_input(split.triangle[(i + 1) % 3], split.triangle[(i + 2) % 3]);
+    if (edges.erase(side) > 0) steps.push_back(step_of(Kind::remove, side));
+  }
+  for (const Index corner : split.triangle) {
+    const Edge edge = in_input(corner, split.point);
+    if (edges.insert(edge).second) steps.push_back(step_of(Kind::add, edge));
+  }
+}
+
+}  // namespace
+
+PlayedSteps played_trace(const StepTrace& trace, const PointSet& set) {
+  PlayedSteps played;
+  if (!trace.kept.empty()) {
+    played.stages.push_back({"greedy", "is the shortest that crosses none taken before", 0});
+    for (const Edge& edge : trace.kept)
+      played.steps.push_back(step_of(Kind::add, make_edge(set.input_indices[edge.a], set.input_indices[edge.b])));
+    return played;
+  }
+  played.stages.push_back({"insertion", "joins an inserted point to a corner of the triangle that holds it", 0});
+  played.start = edges_of({set.input_count, to_input_indices(set, trace.start)});
+  std::set<Edge> edges(played.start.begin(), played.start.end());
+  for (const TracedSplit& split : trace.splits) play_split(split, set, edges, played.steps);
+  return played;
 }
 
 std::string bytes_of(const PlayedSteps& played) {

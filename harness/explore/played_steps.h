@@ -11,6 +11,7 @@
 namespace mwt {
 
 struct ProofTrace;  // algorithms/proof_trace.h
+struct StepTrace;   // algorithms/step_trace.h
 
 /// One step. Which of the points a, b, c, d and of the value it has depends on its kind.
 struct PlayedStep {
@@ -50,6 +51,9 @@ struct PlayedSteps {
 /// in the order of the conclusions; those that are certain; those that remain open, with their dual values; the
 /// solution.
 [[nodiscard]] PlayedSteps played_proof(const ProofTrace& proof, const Solution& solution, const PointSet& set);
+
+/// What an algorithm noted: the edges that greedy takes, or points inserted one by one.
+[[nodiscard]] PlayedSteps played_trace(const StepTrace& trace, const PointSet& set);
 
 /// As bytes: the values of the steps (doubles), kind, a, b, c, d of each, and the edges at the start.
 [[nodiscard]] std::string bytes_of(const PlayedSteps& played);

@@ -1,40 +1,14 @@
 #include "harness/explore/read_content.h"
 
-#include <stdlib.h>
-
-#include <cerrno>
-#include <filesystem>
 #include <fstream>
-#include <system_error>
 
 #include "base/error.h"
+#include "harness/explore/temporary_folder.h"
 #include "harness/io/points/point_file.h"
 
 namespace mwt {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "mwt_explore_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 // The last part of a name, whatever separates parts where it comes from. Names that are no file's get a plain one.
 std::string file_name_of(const std::string& name) {

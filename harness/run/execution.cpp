@@ -4,6 +4,7 @@
 
 #include "algorithms/interrupted.h"
 #include "algorithms/proof_trace.h"
+#include "algorithms/step_trace.h"
 #include "base/cpu_clock.h"
 #include "geometry/convex_hull.h"
 #include "harness/run/callgrind/marks.h"
@@ -31,6 +32,7 @@ Context make_context(const Request& request, std::size_t n) {
   context.parameters = request.parameters;
   context.start = request.start;
   context.proof = request.proof;
+  context.steps = request.steps;
   context.progress = request.progress;
   context.deadline.interrupt = request.interrupt;
   context.memory_bytes = memory_for_tables(*request.algorithm, n);
@@ -41,6 +43,7 @@ Context make_context(const Request& request, std::size_t n) {
 Solution execute(const Request& request, Points points, Context& context) {
   context.phases.clear();
   if (context.proof != nullptr) *context.proof = {};
+  if (context.steps != nullptr) *context.steps = {};
   if (request.time_limit_s) {
     const std::chrono::duration<double> limit(*request.time_limit_s);
     context.deadline =

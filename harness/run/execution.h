@@ -34,6 +34,7 @@ struct Request {
   std::optional<double> time_limit_s;  ///< soft: becomes the algorithm's deadline, counted from its start
   std::optional<Triangulation> start;  ///< checked
   ProofTrace* proof = nullptr;         ///< optional: filled by solvers that can prove what they return
+  StepTrace* steps = nullptr;          ///< optional: filled by algorithms that note what they do, step by step
   std::function<void(const std::string& stage, double done)> progress;
   const std::atomic<bool>* interrupt = nullptr;  ///< optional: once true, Interrupted is thrown soon
 };

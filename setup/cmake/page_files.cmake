@@ -1,6 +1,6 @@
-# Compiles the files of harness/explore/page/, and the style of the report's page, into the harness: harness/explore/page_files.h.
+# Compiles the files of harness/explore/page/, and the style of the report's page, into the harness: harness/explore/server/page_files.h.
 if(CMAKE_SCRIPT_MODE_FILE)
-  set(code "#include \"harness/explore/page_files.h\"\n\n#include <array>\n\nnamespace mwt {\n\nnamespace {\n\n")
+  set(code "#include \"harness/explore/server/page_files.h\"\n\n#include <array>\n\nnamespace mwt {\n\nnamespace {\n\n")
   set(entries "")
   set(count 0)
   foreach(pair IN LISTS FILES)

@@ -2,23 +2,26 @@
 
 // Divides the edges of two lists: {shared, onlyFirst, onlySecond}.
 export function compareEdges(first, second) {
-  const shared = [], onlyFirst = [], onlySecond = [];
-  let i = 0, j = 0;
-  while (i < first.length && j < second.length) {
-    const order = first[i] - second[j] || first[i + 1] - second[j + 1];
+  const shared = new Uint32Array(Math.min(first.length, second.length));
+  const onlyFirst = new Uint32Array(first.length);
+  const onlySecond = new Uint32Array(second.length);
+  let [i, j, both, left, right] = [0, 0, 0, 0, 0];
+  while (i < first.length || j < second.length) {
+    let order = 0;
+    if (j === second.length) order = -1;
+    else if (i === first.length) order = 1;
+    else order = first[i] - second[j] || first[i + 1] - second[j + 1];
     if (order === 0) {
-      shared.push(first[i], first[i + 1]);
-      i += 2;
+      shared[both++] = first[i++];
+      shared[both++] = first[i++];
       j += 2;
     } else if (order < 0) {
-      onlyFirst.push(first[i], first[i + 1]);
-      i += 2;
+      onlyFirst[left++] = first[i++];
+      onlyFirst[left++] = first[i++];
     } else {
-      onlySecond.push(second[j], second[j + 1]);
-      j += 2;
+      onlySecond[right++] = second[j++];
+      onlySecond[right++] = second[j++];
     }
   }
-  for (; i < first.length; ++i) onlyFirst.push(first[i]);
-  for (; j < second.length; ++j) onlySecond.push(second[j]);
-  return { shared: Uint32Array.from(shared), onlyFirst: Uint32Array.from(onlyFirst), onlySecond: Uint32Array.from(onlySecond) };
+  return { shared: shared.slice(0, both), onlyFirst: onlyFirst.slice(0, left), onlySecond: onlySecond.slice(0, right) };
 }

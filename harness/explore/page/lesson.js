@@ -31,7 +31,7 @@ export const STEPS = [
   },
   {
     title: "Greedy at its worst",
-    view: "family=greedy_corridor&n=200&first=greedy&second=optimum",
+    view: "family=greedy_corridor&n=200&first=greedy&second=optimum&stretch",
     text: "Points that are built against greedy: two facing chains of points, nearly flat. Its short first edges force long ones later. α grows like the square root of n, no faster: C5, that it is at most O(n), holds. Double n and compare.",
   },
   {

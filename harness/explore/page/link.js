@@ -39,7 +39,7 @@ export function linkOf({ source, points, algorithms, view }) {
   if (algorithms.seed !== "1") link.set("algorithm_seed", algorithms.seed);
   link.set("time_limit", algorithms.timeLimit);
   if (!algorithms.optimum) link.set("optimum", "no");
-  if (view) link.set("view", [view.x, view.y, view.scale].join(","));
+  if (view) link.set("view", [view.x, view.y, view.scale, view.stretch].join(","));
   const text = link.toString().replaceAll("%2C", ",").replaceAll("%3B", ";");
   return text.length > LONGEST ? null : text;
 }
@@ -56,7 +56,7 @@ export function viewOf(text) {
     source = { given: link.get("given") };
   }
   const slot = (name, otherwise) => ({ name: link.get(name) ?? otherwise, parameters: takeParameters(link, name) });
-  const [x, y, scale] = numbers("view");
+  const [x, y, scale, stretch = 1] = numbers("view");
   return {
     source,
     edits: link.get("edits") ?? "",
@@ -68,6 +68,7 @@ export function viewOf(text) {
       timeLimit: link.get("time_limit") ?? "10",
       optimum: link.get("optimum") !== "no",
     },
-    view: [x, y, scale].every(Number.isFinite) && scale > 0 ? { x, y, scale } : null,
+    isStretched: link.has("stretch"),
+    view: [x, y, scale, stretch].every(Number.isFinite) && scale > 0 && stretch > 0 ? { x, y, scale, stretch } : null,
   };
 }

@@ -2,12 +2,13 @@
 import { Choices } from "./choices.js";
 import { Editing } from "./editing.js";
 import { compareEdges } from "./edges.js";
+import { Hunt } from "./hunt.js";
 import { Lesson } from "./lesson.js";
 import { linkOf, viewOf } from "./link.js";
 import { Picture } from "./picture.js";
 import { Player } from "./play.js";
 import { PointList } from "./point_list.js";
-import { askForPoints, catalogue, givenPoints, Refusal } from "./program.js";
+import { ask, askForPoints, catalogue, givenPoints, Refusal } from "./program.js";
 import { showResults } from "./results.js";
 import { Solving } from "./solving.js";
 import { commandsOf, pointsText, save, svgText, trianglesText } from "./take.js";
@@ -43,10 +44,15 @@ function pair(answer) {
 }
 
 function layersOf(answer) {
-  const { first, second } = pair(answer);
+  const { first, second: own } = pair(answer);
+  const second = own ?? (answer.isComplete ? null : answer.earlierSecond);
   if (!first?.edges.length) return second?.edges.length ? [{ edges: second.edges, colour: "--second", dashed: true, width: 1.6 }] : [];
   if (!second?.edges.length) return [{ edges: first.edges, colour: answer.algorithms.second.name === "none" ? "--shared" : "--first", dashed: false, width: 1.2 }];
-  const { shared, onlyFirst, onlySecond } = compareEdges(first.edges, second.edges);
+  if (answer.comparedWith !== second.edges) {
+    answer.compared = compareEdges(first.edges, second.edges);
+    answer.comparedWith = second.edges;
+  }
+  const { shared, onlyFirst, onlySecond } = answer.compared;
   return [
     { edges: shared, colour: "--shared", dashed: false, width: 1.2 },
     { edges: onlySecond, colour: "--second", dashed: true, width: 2.4 },
@@ -62,13 +68,15 @@ function draw() {
 
 function show(answer) {
   if (answer.size !== points.size) return;
-  // While points are dragged, a new triangulation without its optimum keeps the earlier optimum beside it.
+  // Until its second triangulation is there, the earlier one of as many points stays: its edges move with the points.
+  if (shown && shown !== answer && shown.size === answer.size && shown.algorithms.second.name === answer.algorithms.second.name)
+    answer.earlierSecond = pair(shown).second ?? shown.earlierSecond;
   shown = answer;
   layers = layersOf(answer);
   draw();
   showResults(answer, pair(answer));
   const removed = answer.instance?.duplicates ? `, ${answer.instance.duplicates} of them repeated` : "";
-  const waits = !answer.isComplete && (answer.algorithms.optimum || answer.algorithms.second.name === "optimum");
+  const waits = !answer.optimum && !answer.isComplete && answer.seeksOptimum;
   say(`${points.size.toLocaleString("en")} points${removed}, ${answer.instance.hull_size} on the hull${waits ? "; the optimum is sought" : ""}`);
   if (answer.isComplete) describe();
 }
@@ -104,7 +112,8 @@ function showNewPoints(coordinates, newSource) {
   layers = [];
   shown = null;
   draw();
-  picture.fit();
+  picture.fit(false);
+  element("stretch").setAttribute("aria-pressed", "false");
 }
 
 // Points from a promise of coordinates; keeps what is shown if it fails.
@@ -153,6 +162,8 @@ async function restore(view) {
   points.applyEdits(view.edits);
   draw();
   if (view.view) picture.view = view.view;
+  else if (view.isStretched) picture.fit(true);
+  element("stretch").setAttribute("aria-pressed", picture.view.stretch !== 1);
   solve(true);
 }
 
@@ -160,9 +171,15 @@ const START = { family: "uniform", n: "100", seed: "1", parameters: {} };
 
 function watchButtons(editing) {
   element("fit").addEventListener("click", () => picture.fit());
+  element("stretch").addEventListener("click", () => {
+    picture.fit(picture.view.stretch === 1);
+    element("stretch").setAttribute("aria-pressed", picture.view.stretch !== 1);
+    describe();
+  });
   element("zoom-in").addEventListener("click", () => picture.zoom(1.25));
   element("zoom-out").addEventListener("click", () => picture.zoom(0.8));
   element("play").addEventListener("click", playFirst);
+  element("save-proof").addEventListener("click", saveProof);
   element("picture").addEventListener("pointermove", (event) => {
     if (player.isOpen && event.buttons === 0) player.hover(event.offsetX, event.offsetY);
   });
@@ -191,6 +208,21 @@ function watchButtons(editing) {
   });
   element("copy-command").addEventListener("click", () => navigator.clipboard.writeText(element("command").textContent));
   for (const button of document.querySelectorAll("[data-save]")) button.addEventListener("click", () => saveAs(button.dataset.save));
+}
+
+async function saveProof() {
+  const { seed, timeLimit } = choices.algorithms;
+  const algorithm = { name: "exact", parameters: {} };
+  say("asking for the proof …");
+  try {
+    const bytes = new Uint8Array(points.coordinates.slice().buffer);
+    await ask({ job: "prove", algorithm, seed, time_limit_s: Number(timeLimit) }, bytes, (json, proof) => {
+      save("points.mwtproof", new Blob([proof]));
+    });
+    say("the proof is saved; with points.csv, check it by: mwt_verify points.csv points.mwtproof");
+  } catch (error) {
+    say(error instanceof Refusal ? error.message : "the program does not answer; does it still run?", true);
+  }
 }
 
 async function playFirst() {
@@ -228,6 +260,13 @@ async function begin() {
   const editing = new Editing(element("picture"), picture, points, changed);
   editing.player = player;
   watchButtons(editing);
+  new Hunt(
+    () => choices.algorithms,
+    (coordinates) => {
+      showNewPoints(coordinates, {});
+      solve(true);
+    },
+  );
   new Lesson((view) => restore(viewOf(view)));
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => picture.redraw());
   window.addEventListener("hashchange", () => {

@@ -13,7 +13,7 @@ export class Picture {
   #canvas;
   #buffer = document.createElement("canvas");
   #bufferView = null;
-  #view = { x: 0, y: 0, scale: 1 };
+  #view = { x: 0, y: 0, scale: 1, stretch: 1 }; // heights are `stretch` times as large as widths
   #coordinates = new Float64Array(0);
   #layers = []; // [{edges, colour, dashed, width}]
   #drawing = 0; // the number of the drawing under way
@@ -30,7 +30,7 @@ export class Picture {
   }
 
   set view(view) {
-    this.#view = { ...view };
+    this.#view = { stretch: 1, ...view };
     this.redraw();
   }
 
@@ -49,7 +49,8 @@ export class Picture {
     return this.#canvas.clientHeight;
   }
 
-  fit() {
+  // Shows all points; `stretched`: flat sets fill the picture, too.
+  fit(stretched = this.#view.stretch !== 1) {
     let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
     const points = this.#coordinates;
     for (let i = 0; i < points.length; i += 2) {
@@ -60,17 +61,19 @@ export class Picture {
     }
     if (points.length === 0) [left, right, bottom, top] = [0, 1, 0, 1];
     const margin = 24;
-    const scale = Math.min((this.#width - 2 * margin) / (right - left || 1), (this.#height - 2 * margin) / (top - bottom || 1));
-    this.view = { x: left / 2 + right / 2, y: bottom / 2 + top / 2, scale };
+    const across = (this.#width - 2 * margin) / (right - left || 1);
+    const up = (this.#height - 2 * margin) / (top - bottom || 1);
+    const scale = stretched ? across : Math.min(across, up);
+    this.view = { x: left / 2 + right / 2, y: bottom / 2 + top / 2, scale, stretch: stretched ? up / across : 1 };
   }
 
   toWorld(x, y) {
-    const { x: cx, y: cy, scale } = this.#view;
-    return [cx + (x - this.#width / 2) / scale, cy - (y - this.#height / 2) / scale];
+    const { x: cx, y: cy, scale, stretch } = this.#view;
+    return [cx + (x - this.#width / 2) / scale, cy - (y - this.#height / 2) / (scale * stretch)];
   }
 
   toScreen(x, y, view = this.#view) {
-    return [(x - view.x) * view.scale + this.#width / 2, (view.y - y) * view.scale + this.#height / 2];
+    return [(x - view.x) * view.scale + this.#width / 2, (view.y - y) * view.scale * view.stretch + this.#height / 2];
   }
 
   // The point that a click there means, or -1.
@@ -88,7 +91,7 @@ export class Picture {
 
   pan(dx, dy) {
     this.#view.x -= dx / this.#view.scale;
-    this.#view.y += dy / this.#view.scale;
+    this.#view.y += dy / (this.#view.scale * this.#view.stretch);
     this.#move();
   }
 
@@ -181,13 +184,14 @@ export class Picture {
 
   #strokeEdges(context, edges, begin, end, step) {
     const points = this.#coordinates;
-    const { x: cx, y: cy, scale } = this.#view;
+    const { x: cx, y: cy, scale, stretch } = this.#view;
+    const up = scale * stretch;
     const [width, height] = [this.#width, this.#height];
     context.beginPath();
     for (let i = begin; i < end; i += step) {
       const a = 2 * edges[i], b = 2 * edges[i + 1];
-      const ax = (points[a] - cx) * scale + width / 2, ay = (cy - points[a + 1]) * scale + height / 2;
-      const bx = (points[b] - cx) * scale + width / 2, by = (cy - points[b + 1]) * scale + height / 2;
+      const ax = (points[a] - cx) * scale + width / 2, ay = (cy - points[a + 1]) * up + height / 2;
+      const bx = (points[b] - cx) * scale + width / 2, by = (cy - points[b + 1]) * up + height / 2;
       if ((ax < 0 && bx < 0) || (ax > width && bx > width) || (ay < 0 && by < 0) || (ay > height && by > height)) continue;
       context.moveTo(ax, ay);
       context.lineTo(bx, by);
@@ -220,14 +224,14 @@ export class Picture {
   // The two triangles of the diamond test on an edge: base angles pi/4.6.
   #drawDiamond(context, colours) {
     if (!this.diamond) return;
-    const [a, b] = this.diamond.map((point) => this.toScreen(this.#coordinates[2 * point], this.#coordinates[2 * point + 1]));
+    const [a, b] = this.diamond.map((point) => [this.#coordinates[2 * point], this.#coordinates[2 * point + 1]]);
     const height = Math.tan(Math.PI / 4.6) / 2;
     const apex = (side) => [
       (a[0] + b[0]) / 2 - side * height * (b[1] - a[1]),
       (a[1] + b[1]) / 2 + side * height * (b[0] - a[0]),
     ];
     context.beginPath();
-    for (const corner of [a, apex(1), b, apex(-1)]) context.lineTo(...corner);
+    for (const corner of [a, apex(1), b, apex(-1)]) context.lineTo(...this.toScreen(...corner));
     context.closePath();
     context.fillStyle = colours.getPropertyValue("--chosen");
     context.globalAlpha = 0.18;

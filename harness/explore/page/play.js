@@ -159,6 +159,11 @@ export class Player {
     await ask(request, new Uint8Array(this.#points.coordinates.slice().buffer), (json, bytes) => {
       if (json.type === "trace") trace = new Trace(json, bytes);
     });
+    this.present(trace);
+  }
+
+  // Begins to play a trace of the points that are shown.
+  present(trace) {
     this.trace = trace;
     element("player").hidden = false;
     element("play-slider").max = trace.size;

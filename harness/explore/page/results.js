@@ -76,15 +76,21 @@ function optimumRow(optimum) {
   return row;
 }
 
+// Keeps the place of the optimum while it is sought.
+function soughtRow() {
+  const row = document.createElement("tr");
+  const title = document.createElement("th");
+  title.scope = "row";
+  title.textContent = "optimum";
+  row.append(title, cell("…", "number"), cell("", "number"), cell("", "number"), cell("is sought"));
+  return row;
+}
+
 const plural = (count, word) => `${count.toLocaleString("en")} ${word}${count === 1 ? "" : "s"}`;
 
 function summaryOf(answer, { first, second }) {
   if (!first?.edges.length || !second?.edges.length) return "";
-  const seen = new Set();
-  const key = (edges, i) => edges[i] * 4294967296 + edges[i + 1];
-  for (let i = 0; i < second.edges.length; i += 2) seen.add(key(second.edges, i));
-  let differing = 0;
-  for (let i = 0; i < first.edges.length; i += 2) if (!seen.has(key(first.edges, i))) ++differing;
+  const differing = answer.compared.onlyFirst.length / 2;
   if (differing === 0) return `All ${plural(first.edges.length / 2, "edge")} are the same.`;
   return `${plural(differing, "edge")} of ${(first.edges.length / 2).toLocaleString("en")} differ.`;
 }
@@ -117,6 +123,7 @@ export function showResults(answer, shownPair) {
   }
   const rows = answer.runs.filter(Boolean).map((run) => rowOf(run, answer.isComplete));
   if (answer.optimum) rows.push(optimumRow(answer.optimum));
+  else if (answer.seeksOptimum && !answer.isComplete) rows.push(soughtRow());
   element("rows").replaceChildren(...rows);
   showLegend(answer, shownPair);
   if (answer.isComplete) element("summary").textContent = summaryOf(answer, shownPair);

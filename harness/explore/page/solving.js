@@ -58,13 +58,14 @@ export class Solving {
   }
 
   async #solve({ coordinates, algorithms }, changedAt, signal) {
-    const answer = { algorithms, instance: null, runs: [], optimum: null, size: coordinates.length / 2, isComplete: false };
+    const seeksOptimum = algorithms.optimum || algorithms.second.name === "optimum";
+    const answer = { algorithms, seeksOptimum, instance: null, runs: [], optimum: null, size: coordinates.length / 2, isComplete: false };
     const asked = [algorithms.first, algorithms.second].filter(({ name }) => name !== "none" && name !== "optimum");
     const request = {
       job: "solve",
       algorithms: asked,
       seed: algorithms.seed,
-      optimum: algorithms.optimum || algorithms.second.name === "optimum",
+      optimum: seeksOptimum,
       time_limit_s: Number(algorithms.timeLimit),
     };
     const bytes = new Uint8Array(coordinates.slice().buffer);

@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "harness/explore/explore_server.h"
 #include "harness/explore/jobs.h"
+#include "harness/explore/server/explore_server.h"
 #include "harness/run/testing/algorithms_testing.h"
 
 namespace mwt::testing {

@@ -1,4 +1,4 @@
-#include "harness/explore/explore_server.h"
+#include "harness/explore/server/explore_server.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,6 +82,17 @@ TEST(ExploreServer, TellsWhatItDoesNotUnderstand) {
               HasSubstr("scale the points down"));
   EXPECT_THAT(answer_to_job(server, solve_with("well"), bytes_of(std::vector<Point>{{0, 0}, {1, 1}})),
               HasSubstr(R"("type":"error")"));
+  EXPECT_THAT(answer_to_job(server, R"({"job":"hunt","algorithm":{"name":"well"},"n":100000})"),
+              HasSubstr("a hunt is for"));
+  EXPECT_THAT(
+      answer_to_job(server, R"({"job":"prove","algorithm":{"name":"well"},"time_limit_s":1})", bytes_of(kSquare)),
+      HasSubstr("well writes no proofs"));
+  EXPECT_THAT(
+      answer_to_job(server, R"({"job":"play","algorithm":{"name":"well"}})", bytes_of(std::vector<Point>(9999))),
+      HasSubstr("at most 5000 are played"));
+  EXPECT_THAT(
+      answer_to_job(server, R"({"job":"play","algorithm":{"name":"crashes"},"time_limit_s":1})", bytes_of(kSquare)),
+      HasSubstr("crashes: crashed"));
   EXPECT_THAT(answer_to_job(server, R"({"job":"open","name":"../../a.csv"})", "1,2\nx,3\n"), HasSubstr("a.csv:2"));
   expect_alive(server);
 }

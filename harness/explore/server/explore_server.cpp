@@ -1,4 +1,4 @@
-#include "harness/explore/explore_server.h"
+#include "harness/explore/server/explore_server.h"
 
 #include <fmt/core.h>
 #include <poll.h>
@@ -20,13 +20,14 @@
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
-#include "harness/explore/access.h"
-#include "harness/explore/page_files.h"
+#include "harness/explore/server/access.h"
+#include "harness/explore/server/page_files.h"
 
 namespace mwt {
 
@@ -139,6 +140,7 @@ class StreamedJob {
       std::this_thread::sleep_for(std::chrono::milliseconds(kPatienceMs));
       return true;
     }
+    if (answer_ < 0) return false;
     pollfd watched{answer_, POLLIN, 0};
     if (poll(&watched, 1, kPatienceMs) <= 0) return true;
     const ssize_t size = recv(answer_, block_.data(), block_.size(), 0);
@@ -154,7 +156,10 @@ class StreamedJob {
   bool begin() {
     runs_ = places_.begin();
     if (!runs_) return false;
-    answer_ = host_.start(request_);
+    try {
+      answer_ = host_.start(request_);
+    } catch (const std::system_error&) {  // the answer ends before it begins, which the page reports
+    }
     request_ = {};
     return true;
   }

@@ -31,7 +31,8 @@ class JobHost {
   using Work = std::function<void(const std::string& request, const JobAnswer& answer)>;
 
   /// Precondition: the calling process is single-threaded, and the calling thread outlives the host.
-  /// A job that takes longer than `limit_s` in all, or more data than `memory_bytes`, ends without more of an answer.
+  /// A job that takes longer than `limit_s` in all, or more data than `memory_bytes` beyond what it has when it begins,
+  /// ends without more of an answer.
   JobHost(Work work, unsigned limit_s, std::uint64_t memory_bytes);
   ~JobHost();
   JobHost(const JobHost&) = delete;

@@ -1,4 +1,4 @@
-#include "harness/explore/access.h"
+#include "harness/explore/server/access.h"
 
 #include <fmt/core.h>
 #include <sys/random.h>

@@ -1,4 +1,4 @@
-#include "harness/explore/job_host.h"
+#include "harness/explore/server/job_host.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -15,6 +15,8 @@
 #include <exception>
 #include <system_error>
 #include <utility>
+
+#include "harness/run/machine/proc_file.h"
 
 namespace mwt {
 
@@ -100,7 +102,8 @@ std::string received_text(int socket) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int number : {SIGCHLD, SIGINT, SIGTERM, SIGALRM}) std::signal(number, SIG_DFL);
   alarm(limit_s);
-  const rlimit data{memory_bytes, memory_bytes};
+  const std::uint64_t inherited = kilobytes_in("/proc/self/status", "VmData:").value_or(0) * 1024;
+  const rlimit data{inherited + memory_bytes, inherited + memory_bytes};
   setrlimit(RLIMIT_DATA, &data);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);

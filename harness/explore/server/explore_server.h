@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "harness/explore/job_host.h"
+#include "harness/explore/server/job_host.h"
 
 namespace mwt {
 
