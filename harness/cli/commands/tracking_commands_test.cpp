@@ -53,6 +53,18 @@ TEST_F(TrackingCommands, MistakesOfCompare) {
   expect_mistake("compare --build-a . --build-b . --study claims", "mwt: no program is there");
 }
 
+TEST_F(TrackingCommands, TwoAlgorithmsOfOneFolder) {
+  write_nightly_run(0);
+  const CommandResult result = mwt("compare n0 --algorithm-a greedy --algorithm-b patch --verdict v.json");
+  EXPECT_EQ(result.exit_code, 0) << result.errors;
+  EXPECT_TRUE(result.output.starts_with("A = greedy, B = patch, in n0\nalpha: patch better")) << result.output;
+  EXPECT_EQ(nlohmann::json::parse(read("v.json"))["alpha"].size(), 5u);
+  expect_mistake("compare n0 --algorithm-a greedy", "belong together");
+  expect_mistake("compare n0 n0 --algorithm-a greedy --algorithm-b patch", "one folder");
+  expect_mistake("compare n0 --algorithm-a greedy --algorithm-b patch --threshold 3", "--measure, --json");
+  expect_mistake("compare n0 --algorithm-a greedy --algorithm-b none", "it has: delaunay, exact");
+}
+
 TEST_F(TrackingCommands, TwoBuildsAreRunInTurn) {
   write(
       "s.toml",

@@ -122,6 +122,14 @@ DurationEstimate estimate(const Study& study, const Catalogue& catalogue, const 
   return estimate_duration(study, plan, work, times.model);
 }
 
+/// At most: which runs can be counted is seen when they have ended.
+std::size_t runs_to_be_counted(const Study& study, const Plan& plan) {
+  return static_cast<std::size_t>(std::ranges::count_if(plan.runs, [&](const PlannedRun& run) {
+    const Index n = plan.instances[run.instance].n;
+    return n <= study.max_counted_n && n <= run.max_n && run.repetition < kCountedRepetitions;
+  }));
+}
+
 }  // namespace
 
 void dry_run(const Study& study, const Catalogue& catalogue, const RunOptions& options, std::ostream& out) {
@@ -138,7 +146,10 @@ void dry_run(const Study& study, const Catalogue& catalogue, const RunOptions& o
   for (const std::string& note : plan.notes) out << "note: " << note << '\n';
   out << std::flush;
   const DurationEstimate duration = estimate(study, catalogue, plan, options, out);
-  out << "time on an idle machine, one run at a time: " << estimate_text(duration) << "nothing was recorded\n";
+  out << "time on an idle machine, one run at a time: " << estimate_text(duration);
+  if (const std::size_t counted_runs = runs_to_be_counted(study, plan); counted_runs > 0)
+    out << "not in it: " << counted(counted_runs, "run") << " under callgrind, each 1 s and 50 to 100 times its time\n";
+  out << "nothing was recorded\n";
 }
 
 }  // namespace mwt

@@ -162,7 +162,7 @@ void compare_counts(const TrackedCell& cell, const Runs& base, const Runs& now, 
     const double a = typical(measure, base)->value, b = typical(measure, now)->value;
     ExactFinding finding{
         cell, Aspect::counts, more,
-        fmt::format("{} (x{:.4f}){}", change_text(name, a, b), b / a,
+        fmt::format("{} {:.0f} -> {:.0f} (x{:.4f}){}", name, a, b, b / a,
                     std::string(name).starts_with("callgrind") ? place_of_change(base, now, profiles) : "")};
     finding.is_confirmed = before.size() > 1 && after.size() > 1;
     findings.push_back(std::move(finding));
