@@ -46,7 +46,7 @@ mapfile -t verifier < <(find verifier -name '*.h' -o -name '*.cpp')
 forbid '#include "(generators|algorithms|harness)/' 'the verifier shares no code with solvers, not even in its tests' "${verifier[@]}"
 forbid_others '#include "(base|geometry)/' '#include "(geometry/point|base/error|base/testing/test_folder)\.h"' \
   'of base/ and geometry/ the verifier includes points, errors and the folder of tests' "${verifier[@]}"
-require_order harness/ io statistics run rating records study claims report paper tracking hunt benchmark explore cli
+require_order harness/ io statistics run rating records study archive claims report paper tracking hunt benchmark explore cli
 # Only the registries include the rooms of the single claims and commands.
 mapfile -t others < <(code_of harness | grep -vE '^harness/(claims/(claims.cpp|rules/)|cli/(mwt_main.cpp|commands/))')
 forbid '#include "harness/(claims/rules|cli/commands)/' 'claims/claims.cpp and cli/mwt_main.cpp alone list claims and commands' "${others[@]}"

@@ -115,6 +115,19 @@ std::size_t max_decompressed(std::size_t compressed_size) {
   return std::clamp(std::min(compressed_size, kMost) * kRatio, kAlways, kMost);
 }
 
+std::string compressed_by_zstd(std::string_view content) {
+  constexpr int kLevel = 19;  // the best without more memory for whoever decompresses it
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
+  if (!context) throw std::bad_alloc();
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+  std::string result(ZSTD_compressBound(content.size()), '\0');
+  const std::size_t size = ZSTD_compress2(context.get(), result.data(), result.size(), content.data(), content.size());
+  if (ZSTD_isError(size) != 0) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(size));
+  result.resize(size);
+  return result;
+}
+
 std::string decompressed(std::string content, const std::string& source) {
   constexpr int kMaxLayers = 4;
   for (int layer = 0; layer < kMaxLayers; ++layer) {

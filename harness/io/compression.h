@@ -14,6 +14,9 @@ namespace mwt {
 /// memory.
 [[nodiscard]] std::size_t max_decompressed(std::size_t compressed_size);
 
+/// The content as one zstd frame with a checksum. Deterministic for one version of the library.
+[[nodiscard]] std::string compressed_by_zstd(std::string_view content);
+
 /// The name without endings of compressed files: "a.tsp" for "a.tsp.gz".
 [[nodiscard]] std::string_view without_compression_ending(std::string_view path);
 

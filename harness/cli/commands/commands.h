@@ -16,6 +16,7 @@ namespace mwt {
 [[nodiscard]] Command merge_command();
 [[nodiscard]] Command cluster_command();
 [[nodiscard]] Command report_command();
+[[nodiscard]] Command archive_command();
 [[nodiscard]] Command hunt_command();
 [[nodiscard]] Command compare_command();
 [[nodiscard]] Command track_command();

@@ -5,7 +5,10 @@
 #include <iostream>
 #include <memory>
 
+#include "base/error.h"
+#include "harness/archive/benchmark_set.h"
 #include "harness/cli/commands/commands.h"
+#include "harness/io/text/text.h"
 #include "harness/rating/optimum_cache.h"
 #include "harness/records/known_optima.h"
 #include "harness/records/results_folder.h"
@@ -13,6 +16,7 @@
 #include "harness/report/optima.h"
 #include "harness/report/tables.h"
 #include "harness/run/catalogue.h"
+#include "harness/run/command/command_folder.h"
 #include "harness/run/max_workers.h"
 #include "harness/study/estimate/dry_run.h"
 #include "harness/study/run_study.h"
@@ -22,7 +26,7 @@ namespace mwt {
 namespace {
 
 struct RunArguments {
-  std::string study;
+  std::string study;  // empty: that of the benchmark set
   std::optional<std::string> folder;
   bool resume = false;
   int jobs = 1;
@@ -64,8 +68,26 @@ ExitCode print_overview(const std::string& folder, bool with_alphas) {
   return failed > 0 || have(ProofVerdict::failed) ? kExitNegative : kExitOk;
 }
 
+// The study to run. A benchmark set is unpacked into `unpacked`, and its points take the place of the study's.
+Study study_of(const RunArguments& options, std::optional<CommandFolder>& unpacked) {
+  if (!options.instances || !is_benchmark_set(*options.instances)) {
+    if (options.study.empty())
+      throw InputError("name a study (mwt list studies), or a benchmark set (.tar.zst) with --instances");
+    return read_study(find_study_file(options.study), options.instances);
+  }
+  const std::string folder = unpacked.emplace().file("set");
+  unpack(read_benchmark_set(*options.instances), folder);
+  Study study = read_study(options.study.empty() ? folder + "/study.toml" : find_study_file(options.study));
+  study.families.clear();
+  study.instance_files = {folder, {"points/*.txt"}, *options.instances};
+  study.file_content +=
+      "\n# Run on the points of the benchmark set with SHA-256 " + sha256_of_file(*options.instances) + '\n';
+  return study;
+}
+
 int run(const RunArguments& options) {
-  const Study study = read_study(find_study_file(options.study), options.instances);
+  std::optional<CommandFolder> unpacked;
+  const Study study = study_of(options, unpacked);
   RunOptions run_options;
   if (options.shard) run_options.shard = parse_shard(*options.shard);
   run_options.folder = options.folder.value_or(default_folder(study, run_options.shard));
@@ -88,8 +110,8 @@ int run(const RunArguments& options) {
 Command run_command() {
   const auto options = std::make_shared<RunArguments>();
   const auto declare = [options](CommandOptions& declared) {
-    declared.argument("study", options->study, study_kind(),
-                      "name of a study (mwt list studies) or path of a study file");
+    declared.optional_argument("study", options->study, study_kind(),
+                               "name of a study (mwt list studies) or path of a study file");
     declared.option("--out", options->folder, kFolder, "folder for the records; results/STUDY if not given");
     declared.flag("--dry-run", options->dry_run, "print what would run and an estimate of the time");
     declared.flag("--resume", options->resume, "continue in a folder that has records: run only what is missing");
@@ -99,8 +121,10 @@ Command run_command() {
     declared.flag("--no-cache", options->no_cache, "seek every optimum anew; neither read nor write the optimum cache");
     declared.option("--shard", options->shard, ValueKind{"I/N"},
                     "i/N: run only the i-th of N parts; mwt merge joins them");
-    declared.option("--instances", options->instances, kFolder,
-                    "folder of the study's point files, instead of the study's own");
+    declared.option(
+        "--instances", options->instances, kFolder,
+        "folder of the study's point files, instead of the study's own; or a benchmark set (mwt archive), whose "
+        "points are run instead of the study's, by its own study if none is named");
     declared.flag("--accept-other-build", options->accept_other_build,
                   "with --resume: continue although the records come from another build of mwt");
   };

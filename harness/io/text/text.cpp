@@ -112,10 +112,12 @@ std::string name_with_parameters(const std::string& name, const std::string& par
   return parameters.empty() ? name : name + ' ' + parameters;
 }
 
-std::string short_hash(std::string_view text) {
+std::string short_hash(std::string_view text) { return sha256_of(text).substr(0, 16); }
+
+std::string sha256_of(std::string_view content) {
   const DigestContext context = begin_sha256();
-  EVP_DigestUpdate(context.get(), text.data(), text.size());
-  return finish(context).substr(0, 16);
+  EVP_DigestUpdate(context.get(), content.data(), content.size());
+  return finish(context);
 }
 
 std::string sha256_of_file(const std::string& path) {

@@ -35,6 +35,9 @@ namespace mwt {
 /// The first 16 hexadecimal digits of the SHA-256 of `text`: ids of runs and environments.
 [[nodiscard]] std::string short_hash(std::string_view text);
 
+/// SHA-256 in hexadecimal.
+[[nodiscard]] std::string sha256_of(std::string_view content);
+
 /// SHA-256 in hexadecimal of a file's content, empty if it cannot be read.
 [[nodiscard]] std::string sha256_of_file(const std::string& path);
 
