@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -159,7 +160,7 @@ class Job {
   }
 
   [[nodiscard]] double time_limit_of(const Json& json) const {
-    const auto time_limit_s = value_of<double>(json, "time_limit_s", 10);
+    const auto time_limit_s = value_of<double>(json, "time_limit_s", std::min(10.0, limits_.max_time_s));
     if (time_limit_s > 0 && time_limit_s <= limits_.max_time_s) return time_limit_s;
     throw InputError(fmt::format("the time limit must be above 0 and at most {} s", limits_.max_time_s));
   }

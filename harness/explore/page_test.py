@@ -383,13 +383,14 @@ class GivenPointsTest(PageTestCase):
         with tempfile.TemporaryDirectory(prefix="mwt_explorer_") as folder, browser.Browser() as page:
             points = pathlib.Path(folder) / "my points.csv"
             points.write_text("0,0\n4,0\n4,3\n0,3\n1,1\n")
-            explorer = Explorer(points)
+            explorer = Explorer(points, "--time-limit", 5)
             page.open(explorer.address)
             end = time.monotonic() + PATIENCE_S
             while not page.value("window.explorer && explorer.shown && explorer.shown.isComplete") and time.monotonic() < end:
                 time.sleep(0.05)
             self.assertEqual(page.value("explorer.points.size"), 5)
             self.assertIn("my points.csv'", page.value("document.getElementById('command').textContent"))
+            self.assertIn("--time-limit 5 ", page.value("document.getElementById('command').textContent"))
             self.assertEqual(explorer.stop(), 0)
 
     def setUp(self):

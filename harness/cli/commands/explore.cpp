@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "harness/cli/commands/commands.h"
 #include "harness/cli/file_options.h"
 #include "harness/cli/json_output.h"
@@ -56,8 +57,9 @@ int explore(const ExploreArguments& options) {
   server_options.port = options.port;
   server_options.parallel_jobs = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 2U, 8U));
   server_options.given_points = given_points(options, limits);
-  server_options.catalogue =
-      "{\"algorithms\":" + to_json(catalogue.algorithms()) + ",\"generators\":" + to_json(catalogue.generators()) + "}";
+  server_options.catalogue = "{\"algorithms\":" + to_json(catalogue.algorithms()) +
+                             ",\"generators\":" + to_json(catalogue.generators()) +
+                             ",\"max_time_s\":" + number_text(limits.max_time_s) + "}";
   const JobHost host(
       [&](const std::string& request, const JobAnswer& answer) { do_job(catalogue, limits, request, answer); },
       limits.job_time_s(), limits.job_memory_bytes());

@@ -119,6 +119,11 @@ export class Choices {
     element("optimum").checked = optimum;
   }
 
+  // A time limit that the program takes: this one, or its longest.
+  allowedTime(timeLimit) {
+    return String(Math.min(Number(timeLimit) || 10, this.#catalogue.max_time_s));
+  }
+
   knowsFamily(name) {
     return this.#catalogue.generators.some((family) => family.name === name);
   }

@@ -145,6 +145,7 @@ async function restore(view) {
   if (!choices.knowsAlgorithm(view.algorithms.first.name)) view.algorithms.first.name = "greedy";
   if (!["optimum", "none"].includes(view.algorithms.second.name) && !choices.knowsAlgorithm(view.algorithms.second.name))
     view.algorithms.second.name = "optimum";
+  view.algorithms.timeLimit = choices.allowedTime(view.algorithms.timeLimit);
   choices.algorithms = view.algorithms;
   let loaded = true;
   if (view.source.family && choices.knowsFamily(view.source.family.family)) {
@@ -275,7 +276,7 @@ async function begin() {
   });
   const view = viewOf(location.hash.slice(1));
   choices.family = START;
-  choices.algorithms = { first: { name: "greedy", parameters: {} }, second: { name: "optimum", parameters: {} }, seed: "1", timeLimit: "10", optimum: true };
+  choices.algorithms = { first: { name: "greedy", parameters: {} }, second: { name: "optimum", parameters: {} }, seed: "1", timeLimit: choices.allowedTime(10), optimum: true };
   if (view) return restore(view);
   if (!given) return generate();
   showNewPoints(given.points.slice(), { given: given.name });
