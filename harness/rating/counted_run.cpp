@@ -25,7 +25,7 @@ namespace mwt {
 namespace {
 
 constexpr double kSlowdown = 300;  // of a program under callgrind with simulated caches, at most; usually 50 to 100
-constexpr double kPatienceWithValgrind = 60;  // s, for starting it and for what is not counted
+constexpr double kPatienceWithValgrind = 600;  // s, for what is not counted, and for a busy machine
 constexpr std::uint64_t kMemoryOfValgrind = std::uint64_t{2} << 30;
 constexpr std::uint64_t kMemoryOfCounting = 4;
 constexpr double kEqualWeight = 1e-9;

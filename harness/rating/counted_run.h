@@ -22,8 +22,8 @@ struct CountedRun {
 };
 
 /// Executes the algorithm once more, by `program` (a path of mwt) under callgrind in a process of its own, without a
-/// time limit of its own, and counts the algorithm alone. Caches are simulated as kSimulatedCaches says, on every
-/// machine. Nothing is counted if that takes 300 times as long as the measured run and a minute, or gives another
+/// time limit of its own, and counts the algorithm alone. Caches are simulated as results/README.md says, on every
+/// machine. Nothing is counted if that takes 300 times as long as the measured run and ten minutes, or gives another
 /// triangulation's weight than the measured run.
 ///
 /// Valgrind executes the instructions of a processor that it supports: code that chooses by the processor (Highway's
