@@ -9,7 +9,7 @@ import statistics
 import sys
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "plots"))
+sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[2] / "plots"))  # behind this folder
 import browser  # noqa: E402  (in plots/)
 from page_test import Explorer  # noqa: E402  (beside this file)
 
