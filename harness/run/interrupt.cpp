@@ -12,11 +12,19 @@ extern "C" void request_interrupt(int signal_number) {
   if (interrupt_requested == 0) interrupt_requested = signal_number;
 }
 
+void change_mask(int how) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGUSR1);
+  sigprocmask(how, &signals, nullptr);
+}
+
 }  // namespace
 
 InterruptWatch::InterruptWatch() {
   interrupt_requested = 0;
   for (const int signal_number : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal_number, request_interrupt);
+  change_mask(SIG_UNBLOCK);
 }
 
 InterruptWatch::~InterruptWatch() {
@@ -26,5 +34,7 @@ InterruptWatch::~InterruptWatch() {
 bool InterruptWatch::requested() { return interrupt_requested != 0; }
 
 bool InterruptWatch::requested_before_time_limit() { return interrupt_requested == SIGUSR1; }
+
+void hold_time_limit_signal() { change_mask(SIG_BLOCK); }
 
 }  // namespace mwt

@@ -18,4 +18,7 @@ class InterruptWatch {
   [[nodiscard]] static bool requested_before_time_limit();
 };
 
+/// Keeps SIGUSR1 waiting until the next InterruptWatch, or for good.
+void hold_time_limit_signal();
+
 }  // namespace mwt

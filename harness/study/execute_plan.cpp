@@ -263,6 +263,7 @@ class PlanExecution {
   void count(const ReadyRun& ready, const Request& request, const RatedRun& ended) {
     start_counted_run(pool_, context_.program, request, *ready.instance, context_.study.limits, ended,
                       [this, ready, ended](const CountedRun& counted) {
+                        if (!counted.profile && is_interrupted_about_now()) return;
                         RatedRun run = ended;
                         if (counted.profile) {
                           const CallgrindCounts& counts = counted.profile->counts;

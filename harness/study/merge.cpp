@@ -128,7 +128,8 @@ class Merger {
         if (!planned.contains(run.run_id)) {
           throw InputError(
               fmt::format("{}: this mwt does not plan its run {}; merge with the commit that recorded it ({}) and the "
-                          "same point and start files",
+                          "same point and start files; --study names the study file, if commands or start files count "
+                          "from its folder",
                           part.folder, label_of(run), run.git_commit));
         }
         const auto [entry, is_new] = runs_.try_emplace(run.run_id, &run, part.folder);
@@ -175,12 +176,25 @@ class Merger {
 
 }  // namespace
 
+namespace {
+
+// Its copy in the results does for studies without commands and start files.
+Study study_to_merge(const MergeOptions& options, const std::vector<Part>& parts) {
+  if (!options.study_path) return read_study(options.folders.front() + "/study.toml", options.instance_folder);
+  Study study = read_study(*options.study_path, options.instance_folder);
+  if (study.file_content == parts.front().records.study_file) return study;
+  throw InputError(
+      fmt::format("{}: differs from the study.toml of {}; give the study file that the shards were run with",
+                  *options.study_path, options.folders.front()));
+}
+
+}  // namespace
+
 MergeOutcome merge_results(const MergeOptions& options, const Catalogue& catalogue) {
   const std::vector<Part> parts = read_parts(options);
   require_one_study(parts);
   if (!options.accepts_other_build) require_one_commit(parts);
-  const Study study =
-      read_study(options.study_path.value_or(options.folders.front() + "/study.toml"), options.instance_folder);
+  const Study study = study_to_merge(options, parts);
   MergedRecords merged = Merger(parts, make_plan(study, catalogue)).merge();
   write_records(options.target, merged.records, options.folder_use);
   copy_proofs(options.folders, options.target, merged.records.instances);

@@ -14,7 +14,8 @@ struct MergeOptions {
   std::vector<std::string> folders;            ///< of the shards; at least one
   std::string target;                          ///< must not hold anything yet
   std::optional<std::string> instance_folder;  ///< of the study's point files, if it has any
-  std::optional<std::string> study_path{};     ///< the study file; without, its copy in the first folder
+  std::optional<std::string> study_path{};     ///< the study file; without, its copy in the first folder, which has
+                                               ///< no commands and start files beside it
   bool accepts_other_build = false;            ///< whether shards of several commits may be joined
   FolderUse folder_use = FolderUse::locked;    ///< of the shards' folders and the target
 };

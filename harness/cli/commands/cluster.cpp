@@ -52,7 +52,7 @@ void require_only_its_options(const ClusterArguments& options) {
   };
   for (const Given& option : all) {
     if (!option.is_given || std::ranges::find(option.actions, options.action) != option.actions.end()) continue;
-    throw InputError(fmt::format("cluster {} does not take {}; cluster {} does", options.action, option.name,
+    throw InputError(fmt::format("cluster {} does not take {}; it is for cluster {}", options.action, option.name,
                                  joined(option.actions, " and ")));
   }
 }

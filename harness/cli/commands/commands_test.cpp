@@ -235,6 +235,22 @@ TEST_F(Commands, AStudyFileOfTheCurrentFolderMayHaveCommands) {
   EXPECT_NE(run("run own.toml --dry-run").find("1 instances, 1 runs"), std::string::npos);
 }
 
+// "this mwt does not plan its run": the command was sought beside the copy of the study file.
+TEST_F(Commands, ShardsOfAStudyWithCommandsAreMerged) {
+  write("own.toml",
+        "name = 'own'\nsummary = 's'\nfamilies = ['uniform']\nsizes = [10, 12]\n"
+        "algorithms = [{ name = 'mine', command = ['./mine.sh'] }]\n");
+  write("mine.sh", "#!/bin/sh\necho 0,1,2\n");
+  EXPECT_EQ(shell("chmod +x mine.sh"), 0);
+  for (const std::string number : {"1", "2"}) {
+    EXPECT_EQ(mwt("run own.toml --shard " + number + "/2 --out part" + number).exit_code, 1) << "no triangulation";
+  }
+  expect_mistake("merge part1 part2 -o whole", "--study");
+  EXPECT_NE(run("merge part1 part2 -o whole --study own.toml").find("2 runs of 2 folders joined"), std::string::npos);
+  write("own.toml", read("own.toml") + "# another\n");
+  expect_mistake("merge part1 part2 -o again --study own.toml", "differs from the study.toml of part1");
+}
+
 TEST_F(Commands, AClosedOrFullStandardOutputIsAMistake) {
   EXPECT_EQ(shell(MWT_EXECUTABLE " list generators >/dev/full 2>.err"), 2);
   EXPECT_TRUE(read(".err").starts_with("mwt: standard output")) << read(".err");

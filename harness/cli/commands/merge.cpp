@@ -13,6 +13,8 @@ Command merge_command() {
     declared.required("-o,--out", options->target, kFolder, "folder for the joined records");
     declared.option("--instances", options->instance_folder, kFolder,
                     "folder of the study's point files, if it has any");
+    declared.option("--study", options->study_path, kFile,
+                    "the study file, if commands or start files that it names count from its folder");
     declared.flag("--accept-other-build", options->accepts_other_build,
                   "join shards although they come from different commits of mwt");
   };

@@ -11,6 +11,7 @@
 #include "harness/io/columns.h"
 #include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
+#include "harness/records/profile_folder.h"
 #include "harness/records/proof_folder.h"
 #include "harness/records/results_folder.h"
 
@@ -208,7 +209,10 @@ std::string ClusterFolder::begin_attempt(std::size_t shard) const {
   const auto attempt = [&] { return fs::path(shard_folder(shard)) / (kAttemptPrefix + std::to_string(number)); };
   while (!make_new_folder(attempt())) ++number;
   write_records(attempt().string(), records, FolderUse::owned);
-  if (last) copy_proofs({*last}, attempt().string(), records.instances);
+  if (last) {
+    copy_proofs({*last}, attempt().string(), records.instances);
+    copy_profiles({*last}, attempt().string(), records.runs);
+  }
   write_file_atomically((attempt() / kBeginFile).string(), utc_now() + '\n');
   return attempt().string();
 }

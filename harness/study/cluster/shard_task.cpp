@@ -63,6 +63,7 @@ TaskEnd run_shard_task(const ClusterFolder& folder, const Catalogue& catalogue, 
   if (shard < 1 || shard > settings.shards) {
     throw InputError(fmt::format("shard {}: must be 1 to {}", shard, settings.shards));
   }
+  hold_time_limit_signal();  // until the study runs; planning it takes its time, too
   const Study study = study_of(folder);
   const std::string end_before = end_of_last(folder, shard);
   RunOptions options;
@@ -81,6 +82,7 @@ TaskEnd run_shard_task(const ClusterFolder& folder, const Catalogue& catalogue, 
     write_end_of_attempt(options.folder, error.what());
     throw;
   }
+  hold_time_limit_signal();
   if (outcome.interrupted && InterruptWatch::requested_before_time_limit()) {
     return go_on_after_limit(options.folder, row_count(options.folder) > rows_before, end_before, out);
   }
@@ -99,7 +101,6 @@ MergeOutcome merge_shards(const ClusterFolder& folder, const Catalogue& catalogu
       throw InputError(fmt::format("shard {} has not begun; mwt cluster resubmit {}", shard, folder.path()));
     options.folders.push_back(*attempt);
   }
-  static_cast<void>(study_of(folder));  // unchanged?
   options.study_path = settings.study_path;
   options.instance_folder = given(settings.instance_folder);
   options.folder_use = FolderUse::owned;
