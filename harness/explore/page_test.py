@@ -332,7 +332,7 @@ class ExplorerTest(PageTestCase):
         self.value("document.getElementById('hunt-budget').value = '60'")
         self.value("document.getElementById('hunt-n').value = '6'")
         self.value("document.getElementById('hunt-start').click()")
-        self.wait_for("explorer.points.size === 6 && document.getElementById('hunt-text').textContent.includes('worst α 1.0')")
+        self.wait_for("explorer.points.size === 6 && document.getElementById('hunt-text').textContent.includes('worst α 1.')")
         self.value("document.getElementById('hunt-start').click()")
         command = self.wait_for("document.getElementById('hunt-command').textContent")
         self.wait_until_complete()

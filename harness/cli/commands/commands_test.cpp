@@ -19,10 +19,10 @@ class Commands : public testing::CommandTest {};
 
 TEST_F(Commands, MistakesOnTheCommandLine) {
   expect_mistake("", "no command");
-  expect_mistake(
-      "sovle x",
-      "unknown command 'sovle'; known: list, generate, solve, check, draw, convert, run, merge, cluster, report, "
-      "compare, track, history, hunt, explore, completion, manual");
+  expect_mistake("sovle x",
+                 "unknown command 'sovle'; known: list, generate, solve, check, draw, convert, run, merge, cluster, "
+                 "report, archive, "
+                 "compare, track, history, hunt, explore, completion, manual");
   expect_mistake("generate", "family is required");
   expect_mistake("generate uniform --n ten -o p.txt", "--n");
   expect_mistake("generate uniform --n -5 -o p.txt", "--n");
