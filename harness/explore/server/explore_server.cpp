@@ -305,7 +305,7 @@ class ExploreServer::Impl {
     const auto files = page_files();
     const auto file = std::ranges::find(files, name, &PageFile::name);
     if (file == files.end()) return refuse(response, 404, "there is no such file");
-    response.set_content(file->content.data(), file->content.size(), std::string(type_of(name)).c_str());
+    response.set_content(file->content.data(), file->content.size(), std::string(type_of(name)));
   }
 
   void job(const httplib::Request& request, httplib::Response& response) {

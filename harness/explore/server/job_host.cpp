@@ -142,7 +142,7 @@ void JobAnswer::require_reader() const {
   if (poll(&watched, 1, 0) > 0 && (watched.revents & (POLLHUP | POLLERR)) != 0) _exit(kNoReader);
 }
 
-JobHost::JobHost(Work work, unsigned limit_s, std::uint64_t memory_bytes) {
+JobHost::JobHost(const Work& work, unsigned limit_s, std::uint64_t memory_bytes) {
   const SocketPair control = open_socket_pair(SOCK_SEQPACKET);
   const pid_t parent = getpid();
   host_ = fork();

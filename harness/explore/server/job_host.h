@@ -33,7 +33,7 @@ class JobHost {
   /// Precondition: the calling process is single-threaded, and the calling thread outlives the host.
   /// A job that takes longer than `limit_s` in all, or more data than `memory_bytes` beyond what it has when it begins,
   /// ends without more of an answer.
-  JobHost(Work work, unsigned limit_s, std::uint64_t memory_bytes);
+  JobHost(const Work& work, unsigned limit_s, std::uint64_t memory_bytes);
   ~JobHost();
   JobHost(const JobHost&) = delete;
   JobHost& operator=(const JobHost&) = delete;

@@ -125,7 +125,7 @@ std::string short_function_name(const std::string& name) {
     if (text.ends_with(end)) text.erase(text.size() - std::string(end).size());
   }
   const std::size_t blank = text.rfind(' ');  // after the type that a template returns
-  if (blank != std::string::npos && text.find("[") == std::string::npos) text.erase(0, blank + 1);
+  if (blank != std::string::npos && text.find('[') == std::string::npos) text.erase(0, blank + 1);
   erase_all(text, "mwt::");
   return text.empty() ? name : text;
 }
