@@ -47,43 +47,37 @@ if(TARGET harness_test)
                              MWT_BENCHMARK_EXECUTABLE="$<TARGET_FILE:mwt_benchmark>")
   add_dependencies(harness_test mwt mwt_verify mwt_benchmark)
 endif()
-# A program of somebody else, built against the installed library. The sanitizers' runtime is none of its business.
-if(NOT MWT_SANITIZE)
-  add_test(NAME library.consumer COMMAND ${PROJECT_SOURCE_DIR}/library/examples/consumer_test.sh ${PROJECT_BINARY_DIR})
-  add_test(NAME library.python COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/library/python/mwt_test.py ${PROJECT_BINARY_DIR}/python)
-  add_test(NAME library.notebooks COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/library/examples/notebooks/notebook_test.py
-                                          ${PROJECT_BINARY_DIR}/python)
-  add_test(NAME library.packages COMMAND ${PROJECT_SOURCE_DIR}/setup/packaging/package_test.sh ${PROJECT_BINARY_DIR})
-  set_tests_properties(library.packages PROPERTIES LABELS slow TIMEOUT 900 RUN_SERIAL ON)
-  set_tests_properties(library.consumer library.python library.notebooks PROPERTIES LABELS library TIMEOUT 600 SKIP_RETURN_CODE 77)
+# Scripts: optimised builds only, for sanitizers find nothing in Python, and their runtime is no business of programs of others. They
+# take long, so that they begin before the many short tests. Exit code 77: what the script needs is missing, and it says what.
+function(mwt_add_script_test name label timeout)
+  if(NOT MWT_SANITIZE)
+    add_test(NAME ${name} COMMAND ${ARGN})
+    set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${timeout} SKIP_RETURN_CODE 77 COST 100)
+  endif()
+endfunction()
+
+set(python /usr/bin/python3)
+set(source ${PROJECT_SOURCE_DIR})
+# A program of somebody else, built against the installed library; the Python module; the Debian packages.
+mwt_add_script_test(library.consumer library 600 ${source}/library/examples/consumer_test.sh ${PROJECT_BINARY_DIR})
+mwt_add_script_test(library.python library 600 ${python} ${source}/library/python/mwt_test.py ${PROJECT_BINARY_DIR}/python)
+mwt_add_script_test(library.notebooks library 600 ${python} ${source}/library/examples/notebooks/notebook_test.py ${PROJECT_BINARY_DIR}/python)
+mwt_add_script_test(library.packages slow 900 ${source}/setup/packaging/package_test.sh ${PROJECT_BINARY_DIR})
+if(TEST library.packages)
+  set_tests_properties(library.packages PROPERTIES RUN_SERIAL ON)
 endif()
-# mwt cluster on a Slurm of the test's own; skipped, with the reason, where none can be started. Optimised builds only: what it tests is
-# processes and files.
-if(NOT MWT_SANITIZE)
-  set(cluster_tests ${PROJECT_SOURCE_DIR}/harness/study/cluster/testing)
-  add_test(NAME harness.cluster COMMAND ${cluster_tests}/with_slurm.sh 4 /usr/bin/python3 ${cluster_tests}/cluster_test.py $<TARGET_FILE:mwt>)
-  set_tests_properties(harness.cluster PROPERTIES LABELS slow TIMEOUT 3000 SKIP_RETURN_CODE 77)
-endif()
+# mwt cluster on a Slurm of the test's own; skipped, with the reason, where none can be started.
+set(cluster_tests ${source}/harness/study/cluster/testing)
+mwt_add_script_test(harness.cluster slow 3000 ${cluster_tests}/with_slurm.sh 4 ${python} ${cluster_tests}/cluster_test.py $<TARGET_FILE:mwt>)
 # A second program with 1% more instructions in one kernel, whose counts must tell it from the first.
-if(NOT MWT_SANITIZE)
-  add_test(NAME harness.more_instructions COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/harness/tracking/testing/more_instructions_test.py
-                                                  ${PROJECT_BINARY_DIR})
-  set_tests_properties(harness.more_instructions PROPERTIES LABELS slow TIMEOUT 1200 SKIP_RETURN_CODE 77)
-endif()
-# What figures compute; the page of the claims, that of another study and the dashboard of nightly runs in a headless Chromium.
-# Optimised builds only: sanitizers find nothing in Python.
-if(NOT MWT_SANITIZE)
-  add_test(NAME plots.figures COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/figures_test.py)
-  add_test(NAME plots.page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/page_test.py $<TARGET_FILE:mwt>)
-  add_test(NAME plots.foreign_page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/foreign_page_test.py $<TARGET_FILE:mwt>)
-  add_test(NAME plots.dashboard COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/dashboard_test.py $<TARGET_FILE:mwt>)
-  add_test(NAME harness.explorer_page COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/harness/explore/page_test.py $<TARGET_FILE:mwt>)
-  add_test(NAME plots.tour COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/tour_test.py $<TARGET_FILE:mwt>)
-  set_tests_properties(plots.tour PROPERTIES LABELS plots TIMEOUT 600 SKIP_RETURN_CODE 77)
-  set_tests_properties(harness.explorer_page PROPERTIES LABELS harness TIMEOUT 600 SKIP_RETURN_CODE 77)
-  add_test(NAME plots.paper COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/paper_test.py $<TARGET_FILE:mwt>)
-  add_test(NAME plots.paper_compiles COMMAND /usr/bin/python3 ${PROJECT_SOURCE_DIR}/plots/paper_test.py $<TARGET_FILE:mwt> --compile)
-  set_tests_properties(plots.paper PROPERTIES LABELS plots TIMEOUT 600 SKIP_RETURN_CODE 77)
-  set_tests_properties(plots.paper_compiles PROPERTIES LABELS slow TIMEOUT 1200 SKIP_RETURN_CODE 77)
-  set_tests_properties(plots.figures plots.page plots.foreign_page plots.dashboard PROPERTIES LABELS plots TIMEOUT 600 SKIP_RETURN_CODE 77)
-endif()
+mwt_add_script_test(harness.more_instructions slow 1200 ${python} ${source}/harness/tracking/testing/more_instructions_test.py ${PROJECT_BINARY_DIR})
+# What figures compute; the pages, in a headless Chromium: that of the claims, that of another study, the dashboard of nightly runs, the
+# explorer, its tour; what mwt report --paper writes.
+mwt_add_script_test(plots.figures plots 600 ${python} ${source}/plots/figures_test.py)
+mwt_add_script_test(plots.page plots 600 ${python} ${source}/plots/page_test.py $<TARGET_FILE:mwt>)
+mwt_add_script_test(plots.foreign_page plots 600 ${python} ${source}/plots/foreign_page_test.py $<TARGET_FILE:mwt>)
+mwt_add_script_test(plots.dashboard plots 600 ${python} ${source}/plots/dashboard_test.py $<TARGET_FILE:mwt>)
+mwt_add_script_test(plots.tour plots 600 ${python} ${source}/plots/tour_test.py $<TARGET_FILE:mwt>)
+mwt_add_script_test(plots.paper plots 600 ${python} ${source}/plots/paper_test.py $<TARGET_FILE:mwt>)
+mwt_add_script_test(plots.paper_compiles slow 1200 ${python} ${source}/plots/paper_test.py $<TARGET_FILE:mwt> --compile)
+mwt_add_script_test(harness.explorer_page harness 600 ${python} ${source}/harness/explore/page_test.py $<TARGET_FILE:mwt>)
