@@ -1,5 +1,6 @@
 """Gap against time, a panel per n, with the Pareto front."""
 import numpy as np
+from matplotlib.ticker import NullFormatter
 
 from .data import legend_below, mark, panels
 
@@ -43,6 +44,14 @@ def draw_panel(axes, of_n, looks, bottom):
         if not np.isnan(row.time_median_s_lower):
             axes.plot([row.time_median_s_lower, row.time_median_s_upper], [y, y], color=looks[row.label]["color"], linewidth=0.7)
         axes.plot(x, y, **mark(looks[row.label]))
+    show_whole_decades(axes)
+
+
+def show_whole_decades(axes):
+    """Narrow panels have room for a few powers of ten, and none for what lies between."""
+    first, last = np.log10(axes.get_xlim())
+    axes.set_xlim(10.0 ** np.floor(first), 10.0 ** np.ceil(last))
+    axes.xaxis.set_minor_formatter(NullFormatter())
 
 
 def height(gap, bottom):
