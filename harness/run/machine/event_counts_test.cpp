@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 namespace mwt {
 namespace {
 
-EventCounts counts_of_loop(int steps) {
+EventCounts counts_of_loop(std::uint32_t steps) {
   EventCounter counter;
-  volatile int sum = 0;
-  for (int i = 0; i < steps; ++i) sum = sum + i;
+  volatile std::uint32_t sum = 0;
+  for (std::uint32_t i = 0; i < steps; ++i) sum = sum + i;
   return counter.stop();
 }
 
