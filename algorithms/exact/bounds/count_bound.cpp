@@ -20,6 +20,7 @@
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/double_double.h"
 #include "geometry/numbers/interval.h"
+#include "geometry/numbers/trusted_range.h"
 #include "geometry/triangulation.h"
 #include "geometry/undirected_edges.h"
 #include "geometry/weight.h"
@@ -45,8 +46,12 @@ struct Nearest {
     all[place] = {square, to};
   }
 
-  // All points that are not among these are at least so far away, rounding included.
-  [[nodiscard]] double reach() const { return std::sqrt(all.back().square) * (1 - 0x1p-49); }
+  // All points that are not among these are at least so far away, rounding included. Squares that overflow are of
+  // longer distances than the largest that is trusted; those that underflow say nothing.
+  [[nodiscard]] double reach() const {
+    const double square = std::min(all.back().square, kMaxTrustedProduct);
+    return square > kMinTrustedProduct ? std::sqrt(square) * (1 - 0x1p-49) : 0;
+  }
   [[nodiscard]] bool contains(Index v) const {
     return std::any_of(all.begin(), all.end(), [&](const Neighbour& neighbour) { return neighbour.to == v; });
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "algorithms/common/testing/solver_testing.h"
 #include "algorithms/exact/bounds/simple_bound.h"
@@ -33,6 +34,18 @@ TEST(CountBoundSlow, IsNeverAboveTheOptimum) {
 TEST(CountBound, IsNeverAboveTheOptimumOfLargerSets) {
   for (const auto& [name, points] : instances_of_all_families({60, 300}, 2)) {
     SCOPED_TRACE(name);
+    EXPECT_LE(bound_by_counts(points, {}), solve_to_optimality("exact", points).optimum->upper);
+  }
+}
+
+// Squares of such distances overflow or underflow.
+TEST(CountBound, HoldsWhereSquaresAreOutOfRange) {
+  for (const int exponent : {-1000, -600, -500, 400, 500, 600, 900}) {
+    SCOPED_TRACE(exponent);
+    std::vector<Point> points = generate("uniform", 40, 1);
+    for (Point& p : points) p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+    EXPECT_LE(bound_by_counts(points, {}), solve_to_optimality("exact", points).optimum->upper);
+    for (std::size_t i = 0; i < points.size(); i += 2) points[i] = {std::ldexp(points[i].x, -900), points[i].y};
     EXPECT_LE(bound_by_counts(points, {}), solve_to_optimality("exact", points).optimum->upper);
   }
 }
