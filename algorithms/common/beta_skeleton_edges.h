@@ -1,4 +1,4 @@
-// Walls: edges that every minimum weight triangulation contains, so that searches need not look beyond them.
+// Edges of the beta-skeleton: every minimum weight triangulation contains them, so that searches end there.
 #pragma once
 
 #include "geometry/mesh/angle.h"
