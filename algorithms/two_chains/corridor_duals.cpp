@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
 
 #include "algorithms/proof/half_length.h"
 #include "geometry/numbers/double_double.h"
@@ -10,16 +13,23 @@ namespace mwt {
 
 namespace {
 
-// The longest edge has at most so many bits in front of the point, and the sum over a lattice path fits into 2^58.
-constexpr int kUsualBits = 46, kPathBits = 57;
+// Of the optimum and of the longest edge, in units. Dual values that no optimum needs are cut at kNever.
+constexpr int kBits = 56;
+constexpr std::int64_t kNever = std::int64_t{1} << 58;
 
+// The lattice path in doubles, for the size of the optimum.
 int unit_exponent(Points points, std::span<const Index> p, std::span<const Index> q) {
   double longest = 0;
-  for (const Index a : p) {
-    for (const Index b : q) longest = std::max(longest, length(points[a], points[b]).high);
+  std::vector<double> before(q.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      const double edge = length(points[p[i]], points[q[j]]).high;
+      longest = std::max(longest, edge);
+      const double least = j > 0 ? std::min(before[j], before[j - 1]) : before[j];
+      before[j] = edge + (i + j == 0 ? 0 : least);
+    }
   }
-  const int path_bits = std::ilogb(static_cast<double>(p.size() + q.size())) + 1;
-  return std::ilogb(longest) + 1 - std::min(kUsualBits, kPathBits - path_bits);
+  return std::ilogb(std::max(before.back(), longest)) + 1 - kBits;
 }
 
 }  // namespace
@@ -44,8 +54,8 @@ DualRegion corridor_duals(Points points, std::span<const Index> p, std::span<con
                     : std::max<std::int64_t>(0, half_length(length(points[p[i]], points[q[j]]), region.unit_exponent));
       std::int64_t least = i > 0 ? before[j] : 0;
       if (j > 0) least = i > 0 ? std::min(least, before[j - 1]) : before[j - 1];
-      dual[i * columns + j] = half + least;
-      before[j] = 2 * half + least;
+      dual[i * columns + j] = std::min(kNever, half + least);
+      before[j] = dual[i * columns + j] + half;
     }
   }
   for (std::size_t i = rows; i-- > 0;) {  // by ascending places

@@ -195,6 +195,14 @@ TEST(Proof, OfFacesWithHolesIsVerified) {
   }
 }
 
+// A ring whose face has more than one hole, and a plate with two that can be joined in many ways of nearly equal
+// length.
+TEST(Proof, OfFacesWithSeveralHolesIsVerified) {
+  const Prover prover;
+  prover.prove_optimum("exact", make_point_set(generate("annulus", 1500, 1), "annulus").points);
+  prover.prove_optimum("exact", make_point_set(generate("cad_plate", 800, 2), "cad_plate").points);
+}
+
 TEST(Proof, OfOtherSolversIsVerified) {
   const Prover prover;
   for (const Index n : {4U, 9U, 40U}) {
@@ -226,9 +234,12 @@ TEST(Proof, OfLargerPolygonsIsVerified) {
   }
 }
 
-// One that `exact` hands to two_chains.
+// Ones that `exact` hands to two_chains; edges far longer than those of the optimum took the dual values' precision.
 TEST(ProofSlow, OfALargeCorridorIsVerified) {
-  Prover().prove_optimum("exact", make_point_set(generate("greedy_corridor", 1000, 1), "corridor").points);
+  for (const char* family : {"greedy_corridor", "flip_corridor"}) {
+    SCOPED_TRACE(family);
+    Prover().prove_optimum("exact", make_point_set(generate(family, 1000, 1), family).points);
+  }
 }
 
 // Polygons without dual values prove less, and say so.

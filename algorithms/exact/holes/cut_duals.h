@@ -17,15 +17,14 @@
 //       paid is gone: no triangle pays twice.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "algorithms/common/rows.h"
 #include "algorithms/deadline.h"
 #include "algorithms/exact/holes/cut_polygon.h"
+#include "algorithms/exact/holes/loose_triangles.h"
 
 namespace mwt {
 
@@ -35,8 +34,7 @@ class CutDuals {
   /// `polygon` must stay alive. Its program must have a triangulation.
   explicit CutDuals(const CutPolygon& polygon);
 
-  /// Lists the loose triangles. Nothing else may be called if this fails: there are more than `limit`, or the deadline
-  /// passed. O(the stars of the crossing candidates' ends), and a search for each triangle.
+  /// LooseTriangles::find(): nothing else may be called if this fails.
   [[nodiscard]] bool find_loose_triangles(std::size_t limit, const Deadline& deadline);
 
   /// One round: balances dual values, charges cuts. The bound only rises.
@@ -56,31 +54,16 @@ class CutDuals {
   [[nodiscard]] bool is_certain(std::size_t cut, double upper) const;
 
   [[nodiscard]] std::size_t loose_triangles() const { return loose_.size(); }
-  [[nodiscard]] std::size_t alive_crossing() const;
+  [[nodiscard]] std::size_t alive_crossing() const { return loose_.crossing().size(); }
 
  private:
-  struct Loose {
-    std::array<std::uint32_t, 3> side;  // halfedges, counter-clockwise
-    double paid = 0;                    // for cuts
-  };
-  // The loose triangles that contain a cut's first piece at one of its ends.
-  struct CutEnd {
-    std::vector<std::uint32_t> straddling;
-  };
+  using Number = LooseTriangles::Number;
 
   void set_costs();
-  void list_crossing();
-  void add_triangles_of(std::uint32_t halfedge, std::vector<std::uint32_t>& at_first,
-                        std::vector<std::uint32_t>& touched);
-  [[nodiscard]] bool may_be_sides(const std::array<std::uint32_t, 3>& sides) const;
-  void file_triangles();
-  void list_straddling();
-  [[nodiscard]] double reduced_cost(const Loose& triangle) const;
-  [[nodiscard]] std::span<const std::uint32_t> triangles_left_of(std::uint32_t halfedge) const {
-    return filed_[slot_[halfedge]];
-  }
-  [[nodiscard]] double min_left_of(std::uint32_t halfedge) const;
-  [[nodiscard]] double min_at(const CutEnd& end) const;
+  [[nodiscard]] double reduced_cost(Number triangle) const;
+  [[nodiscard]] double min_of(std::span<const Number> triangles) const;
+  [[nodiscard]] double min_left_of(std::uint32_t halfedge) const { return min_of(loose_.left_of(halfedge)); }
+  [[nodiscard]] double min_at(std::size_t cut, std::size_t end) const { return min_of(loose_.straddling(cut, end)); }
   double balance_once();
   void charge(std::size_t cut);
   void update_lower_bound();
@@ -92,15 +75,11 @@ class CutDuals {
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const CutPolygon& polygon_;
-  std::vector<Index> origin_;            // by halfedge
-  std::vector<double> length_;           // by halfedge
-  std::vector<double> cost_;             // by halfedge: its part of r of the triangle on its left
-  std::vector<bool> is_alive_;           // by halfedge
-  std::vector<std::uint32_t> crossing_;  // alive, each once: the halfedge from the smaller end
-  std::vector<Loose> loose_;
-  Rows<std::uint32_t> filed_;                // loose triangles by crossing halfedge (see slot_)
-  std::vector<std::uint32_t> slot_;          // by halfedge
-  std::vector<std::array<CutEnd, 2>> ends_;  // by cut
+  LooseTriangles loose_;
+  std::vector<double> paid_by_;              // by loose triangle: for cuts
+  std::vector<double> length_;               // by halfedge
+  std::vector<double> cost_;                 // by halfedge: its part of r of the triangle on its left
+  std::vector<bool> is_alive_;               // by halfedge
   std::vector<std::uint32_t> cut_halfedge_;  // by cut, from its smaller end
   std::vector<double> unpaid_;               // by cut: of its length
   double paid_ = 0;

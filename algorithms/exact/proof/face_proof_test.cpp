@@ -1,4 +1,4 @@
-#include "algorithms/exact/face_proof.h"
+#include "algorithms/exact/proof/face_proof.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "algorithms/exact/strip_proof.h"
+#include "algorithms/exact/proof/strip_proof.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/holes/strip.h"
+#include "algorithms/exact/proof/hole_cuts.h"
 #include "algorithms/proof/dual_leaf.h"
 #include "algorithms/proof/half_length.h"
 #include "algorithms/proof/polygon_duals.h"
@@ -38,33 +39,26 @@ class StripProof {
     for (const auto& [from, to] : region.open_edges) open_.push_back({region.places[from], region.places[to]});
   }
 
-  bool run(std::optional<double> length) {
-    auto strip = make_strip(local_.points, as_face());
-    if (!strip) return false;
-    strip_ = *std::move(strip);
-    choose_cuts();
-    choose_unit(length);
-    if (!add_chain(strip_.outer, false, outer_) || !add_chain(strip_.inner, true, inner_)) return false;
-    list_nodes();
-    if (cuts_.size() * nodes_.size() > kMaxDuals) return false;
-    add_base();
-    std::int64_t least = kNeverFits;
-    for (const OpenEdge cut : cuts_) {
-      if (has_passed(deadline_)) return give_up();
-      add_branch(region_, cut);
-      least = std::min(least, add_leaf_of(cut));
-      is_out_[cut] = true;
-    }
-    add_impossible_leaf();
-    region_.lower_bound = std::max(0.0, next_down(std::ldexp(static_cast<double>(least), region_.unit_exponent)));
-    return true;
+  bool run(std::span<const Edge> known) {
+    if (!make()) return false;
+    choose_unit(known);
+    if (!lay_out()) return false;
+    if (!known.empty() && add_potentials_leaf(target_of(known))) return true;
+    return add_tree();
   }
+
+  bool run_leaf(std::int64_t target) { return make() && lay_out() && add_potentials_leaf(target); }
 
  private:
   using Place = Strip::Place;
   using OpenEdge = std::uint32_t;  // position in open_
   using NodeNumber = std::uint32_t;
   static constexpr Place kRepeated = -1;
+
+  struct DirectedDual {
+    Edge side;  // from a to b; the other side has the negative value
+    std::int64_t dual;
+  };
 
   // An edge between two places of one boundary, and what lies behind it.
   struct Chord {
@@ -79,6 +73,11 @@ class StripProof {
     OpenEdge edge;
     std::int64_t half;
   };
+  // An edge across, or its copy a period later.
+  struct RowEntry {
+    Place inner;
+    NodeNumber node;
+  };
   // At an edge across, or its copy a period later: what a cheapest path from the cut at hand costs.
   struct Arrival {
     Place inner;
@@ -86,6 +85,41 @@ class StripProof {
     std::int64_t half;
     std::int64_t cost;  // kNeverFits: there is no path
   };
+
+  bool make() {
+    auto strip = make_strip(local_.points, as_face());
+    if (!strip) return false;
+    strip_ = *std::move(strip);
+    cuts_.emplace(local_.points, strip_.inner.vertex, open_);
+    return true;
+  }
+
+  bool lay_out() {
+    if (!add_chain(strip_.outer, false, outer_) || !add_chain(strip_.inner, true, inner_)) return false;
+    list_nodes();
+    list_chord_duals();
+    return true;
+  }
+
+  bool add_tree() {
+    if (cuts_->edges().size() * nodes_.size() > kMaxDuals) return false;
+    is_out_.assign(open_.size(), false);
+    add_base();
+    std::int64_t least = kNeverFits;
+    for (const OpenEdge cut : cuts_->edges()) {
+      if (has_passed(deadline_)) return give_up();
+      add_branch(region_, cut);
+      least = std::min(least, add_leaf_of(cut));
+      is_out_[cut] = true;
+    }
+    add_impossible_leaf();
+    prove(least);
+    return true;
+  }
+
+  void prove(std::int64_t units) {
+    region_.lower_bound = std::max(0.0, next_down(std::ldexp(static_cast<double>(units), region_.unit_exponent)));
+  }
 
   bool give_up() {
     region_.tree.clear();
@@ -103,48 +137,21 @@ class StripProof {
     return face;
   }
 
-  // Turned by a quarter of a circle several times; which side of a line a point is on does not change.
-  [[nodiscard]] Point turned(Index v) const {
-    const Point& p = local_.points[v];
-    switch (turns_) {
-      case 0: return p;
-      case 1: return {p.y, -p.x};
-      case 2: return {-p.x, -p.y};
-      default: return {-p.y, p.x};
-    }
-  }
-
-  void choose_cuts() {
-    int best_turns = 0;
-    std::optional<std::vector<OpenEdge>> fewest;
-    const std::vector<Index>& inner = strip_.inner.vertex;
-    for (const int turns : {0, 1, 2, 3}) {
-      turns_ = turns;
-      const Index last = *std::max_element(
-          inner.begin(), inner.end(), [&](Index v, Index w) { return lexicographically_less(turned(v), turned(w)); });
-      std::vector<OpenEdge> cuts;
-      for (OpenEdge e = 0; e < open_.size(); ++e) {
-        const auto [a, b] = open_[e];
-        if (a != last && b != last) continue;
-        if (lexicographically_less(turned(last), turned(a == last ? b : a))) cuts.push_back(e);
-      }
-      if (fewest && fewest->size() <= cuts.size()) continue;
-      fewest = std::move(cuts);
-      best_turns = turns;
-      from_ = last;
-    }
-    turns_ = best_turns;
-    cuts_ = *std::move(fewest);
-    is_out_.assign(open_.size(), false);
-  }
-
-  // Without a length, so that no optimum has more than 57 bits.
-  void choose_unit(std::optional<double> length_of_diagonals) {
-    double longest = 0;
+  // If nothing is known, so that no optimum has more than 57 bits.
+  void choose_unit(std::span<const Edge> known) {
+    double longest = 0, sum = 0;
     for (const auto& [a, b] : open_) longest = std::max(longest, length(local_.points[a], local_.points[b]).high);
+    for (const auto& [a, b] : known) sum += length(local_.points[a], local_.points[b]).high;
     const int diagonal_bits = std::ilogb(static_cast<double>(3 * local_.points.size())) + 1;
-    region_.unit_exponent = length_of_diagonals ? std::ilogb(std::max(*length_of_diagonals, longest)) + 1 - kWholeBits
-                                                : std::ilogb(longest) + 1 - std::min(50, kWholeBits - diagonal_bits);
+    region_.unit_exponent = known.empty() ? std::ilogb(longest) + 1 - std::min(50, kWholeBits - diagonal_bits)
+                                          : std::ilogb(std::max(sum, longest)) + 1 - kWholeBits;
+  }
+
+  // Others that are not longer may be shorter by rounding, up to two units an edge.
+  [[nodiscard]] std::int64_t target_of(std::span<const Edge> known) const {
+    std::int64_t units = 0;
+    for (const auto& [a, b] : known) units += 2 * (half(a, b) - 1);
+    return units;
   }
 
   [[nodiscard]] std::int64_t half(Index a, Index b) const {
@@ -214,36 +221,107 @@ class StripProof {
     cost_of_.resize(open_.size());
   }
 
-  struct DirectedDual {
-    Edge side;  // from a to b; the other side has the negative value
-    std::int64_t dual;
-  };
+  [[nodiscard]] Index inner_vertex(NodeNumber node) const { return strip_.inner.vertex_at(nodes_[node].inner); }
 
-  void add_base() {
-    std::vector<DirectedDual> duals;
+  void list_chord_duals() {
     for (const bool is_outer : {true, false}) {
       const Strip::Chain& chain = is_outer ? strip_.outer : strip_.inner;
       for (Place from = 0; from < chain.period(); ++from) {
         for (const Chord& chord : (is_outer ? outer_ : inner_)[static_cast<std::size_t>(from)]) {
           if (chord.to == from + 1) continue;
-          duals.push_back({{chain.vertex_at(from), chain.vertex_at(chord.to)}, is_outer ? -chord.dual : chord.dual});
+          const std::int64_t dual = is_outer ? -chord.dual : chord.dual;
+          chord_duals_.push_back({{chain.vertex_at(from), chain.vertex_at(chord.to)}, dual});
         }
       }
     }
-    std::sort(duals.begin(), duals.end(), [](const auto& d, const auto& e) { return d.side < e.side; });
+    std::sort(chord_duals_.begin(), chord_duals_.end(), [](const auto& d, const auto& e) { return d.side < e.side; });
+  }
+
+  // Of an edge that is no chord, 0.
+  [[nodiscard]] std::int64_t chord_dual(Index from, Index to) const {
     const auto find = [&](const Edge& side) -> std::optional<std::int64_t> {
-      const auto found = std::lower_bound(duals.begin(), duals.end(), side,
+      const auto found = std::lower_bound(chord_duals_.begin(), chord_duals_.end(), side,
                                           [](const DirectedDual& d, const Edge& s) { return d.side < s; });
-      return found != duals.end() && found->side == side ? std::optional(found->dual) : std::nullopt;
+      return found != chord_duals_.end() && found->side == side ? std::optional(found->dual) : std::nullopt;
     };
-    add_leaf(region_, [&](Index from, Index to) {
-      if (const auto dual = find({from, to})) return *dual;
-      const auto other = find({to, from});
-      return other ? -*other : 0;
-    });
+    if (const auto dual = find({from, to})) return *dual;
+    const auto other = find({to, from});
+    return other ? -*other : 0;
+  }
+
+  void add_base() {
+    add_leaf(region_, [&](Index from, Index to) { return chord_dual(from, to); });
     DualNode& base = region_.tree.back();
     base.kind = DualNode::Kind::base;
     base.other_duals.clear();
+  }
+
+  // One leaf that proves `target` units, if there is one.
+  bool add_potentials_leaf(std::int64_t target) {
+    const std::optional<std::vector<std::int64_t>> potential = potentials(target);
+    if (!potential) return false;
+    std::vector<DirectedDual> across;
+    for (NodeNumber n = 0; n < nodes_.size(); ++n)
+      across.push_back(
+          {{strip_.outer.vertex_at(nodes_[n].outer), strip_.inner.vertex_at(nodes_[n].inner)}, (*potential)[n]});
+    std::sort(across.begin(), across.end(), [](const auto& d, const auto& e) { return d.side < e.side; });
+    const auto find = [&](Index from, Index to) -> std::int64_t {
+      const auto found = std::lower_bound(across.begin(), across.end(), Edge{from, to},
+                                          [](const DirectedDual& d, const Edge& s) { return d.side < s; });
+      return found != across.end() && found->side == Edge{from, to} ? found->dual : 0;
+    };
+    add_leaf(region_, [&](Index from, Index to) {
+      return chord_dual(from, to) + find(from, to) - find(to, from) + target * cuts_->crossing_of_ray(from, to);
+    });
+    prove(target);
+    return true;
+  }
+
+  // By node: so that no arc costs less than nothing if those that contain the point beyond the hole cost less by
+  // `target`. Bellman and Ford, all arcs in the order of the outer boundary, round after round.
+  [[nodiscard]] std::optional<std::vector<std::int64_t>> potentials(std::int64_t target) {
+    constexpr int kMaxSearchRounds = 100;
+    constexpr std::int64_t kTooLow = -(std::int64_t{1} << 59);
+    const Place period = strip_.outer.period();
+    std::vector<std::vector<RowEntry>> rows(2 * static_cast<std::size_t>(period));
+    for (Place i = 0; i < 2 * period; ++i) {
+      const Place place = i % period, shift = i < period ? 0 : strip_.inner.period();
+      for (NodeNumber n = first_[static_cast<std::size_t>(place)]; n < first_[static_cast<std::size_t>(place) + 1]; ++n)
+        rows[static_cast<std::size_t>(i)].push_back({nodes_[n].inner + shift, n});
+    }
+    std::vector<std::int64_t> potential(nodes_.size(), 0);
+    bool is_changed = true, is_too_low = false;
+    const auto offer = [&](NodeNumber from, const Chord& chord, NodeNumber to, Index apex, const Edge& opposite) {
+      if (chord.cost >= kNeverFits) return;
+      const bool is_beyond = apex == cuts_->from() && cuts_->crossing_of_ray(opposite.a, opposite.b) > 0;
+      const std::int64_t cost = nodes_[from].half + chord.cost + nodes_[to].half - (is_beyond ? target : 0);
+      if (potential[from] + cost >= potential[to]) return;
+      potential[to] = potential[from] + cost;
+      is_changed = true;
+      is_too_low = is_too_low || potential[to] < kTooLow;
+    };
+    for (int round = 0; is_changed; ++round) {
+      if (round == kMaxSearchRounds || is_too_low || has_passed(deadline_)) return {};
+      is_changed = false;
+      for (Place i = 0; i < period; ++i) {
+        const auto& row = rows[static_cast<std::size_t>(i)];
+        follow_inner_chords(row, [&](const RowEntry& from, const Chord& chord, const RowEntry& to) {
+          const Index outer = strip_.outer.vertex_at(i), s = inner_vertex(from.node), t = inner_vertex(to.node);
+          // At one of its two inner corners the triangle may contain the point.
+          offer(from.node, chord, to.node, s == cuts_->from() ? s : t,
+                s == cuts_->from() ? Edge{outer, t} : Edge{s, outer});
+        });
+        for (const Chord& chord : outer_[static_cast<std::size_t>(i)]) {
+          if (chord.to > i + period) break;
+          follow_outer_chord(row, rows[static_cast<std::size_t>(chord.to)],
+                             [&](const RowEntry& from, const RowEntry& to) {
+                               const Edge opposite{strip_.outer.vertex_at(i), strip_.outer.vertex_at(chord.to)};
+                               offer(from.node, chord, to.node, inner_vertex(from.node), opposite);
+                             });
+        }
+      }
+    }
+    return potential;
   }
 
   // Paths of triangles from the cut once around the hole to its copy; between the two lie all edges across that do not
@@ -255,14 +333,15 @@ class StripProof {
     rows_.front().front().cost = 0;
     for (Place i = 0; i < period; ++i) {
       const Place place = (start.outer + i) % period;
-      follow_inner_chords(rows_[static_cast<std::size_t>(i)]);
+      follow_inner_chords(rows_[static_cast<std::size_t>(i)], offer);
       for (const Chord& chord : outer_[static_cast<std::size_t>(place)]) {
         const Place reached = i + chord.to - place;
         if (reached > period) break;
-        follow_outer_chord(rows_[static_cast<std::size_t>(i)], chord, rows_[static_cast<std::size_t>(reached)]);
+        follow_outer_chord(rows_[static_cast<std::size_t>(i)], rows_[static_cast<std::size_t>(reached)],
+                           [&](const Arrival& from, Arrival& to) { offer(from, chord, to); });
       }
     }
-    follow_inner_chords(rows_.back());
+    follow_inner_chords(rows_.back(), offer);
     add_changes(cut);
     return rows_.back().back().cost;
   }
@@ -288,8 +367,9 @@ class StripProof {
     to.cost = std::min(to.cost, from.cost + from.half + chord.cost + to.half);
   }
 
-  // Triangles at one outer place.
-  void follow_inner_chords(std::vector<Arrival>& row) const {
+  // Calls visit(from, chord, to) for the triangles at one outer place, with entries of its row.
+  template <class Row, class Visit>
+  void follow_inner_chords(Row& row, const Visit& visit) const {
     const Place period = strip_.inner.period();
     if (period == 0) return;
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -298,18 +378,19 @@ class StripProof {
       for (const Chord& chord : inner_[static_cast<std::size_t>(place)]) {
         while (reached < row.size() && row[reached].inner < chord.to + shift) ++reached;
         if (reached == row.size()) break;
-        if (row[reached].inner == chord.to + shift) offer(row[i], chord, row[reached]);
+        if (row[reached].inner == chord.to + shift) visit(row[i], chord, row[reached]);
       }
     }
   }
 
-  // Triangles over a chord of the outer boundary, between the edges at its ends.
-  static void follow_outer_chord(const std::vector<Arrival>& row, const Chord& chord, std::vector<Arrival>& next) {
+  // Calls visit(from, to) for the triangles over a chord of the outer boundary, between the edges at its ends.
+  template <class Row, class Visit>
+  static void follow_outer_chord(const Row& row, Row& next, const Visit& visit) {
     auto reached = next.begin();
-    for (const Arrival& arrival : row) {
-      while (reached != next.end() && reached->inner < arrival.inner) ++reached;
+    for (const auto& entry : row) {
+      while (reached != next.end() && reached->inner < entry.inner) ++reached;
       if (reached == next.end()) return;
-      if (reached->inner == arrival.inner) offer(arrival, chord, *reached);
+      if (reached->inner == entry.inner) visit(entry, *reached);
     }
   }
 
@@ -330,7 +411,8 @@ class StripProof {
     }
   }
 
-  // All cuts are out: around every triangle, the sides cross the ray from beyond `from_` as often one way as the other.
+  // All cuts are out: around every triangle, the sides cross the ray from beyond the hole as often one way as the
+  // other.
   void add_impossible_leaf() {
     const DualNode base = region_.tree.front();
     DualNode& leaf = region_.tree.emplace_back();
@@ -354,11 +436,7 @@ class StripProof {
   }
 
   [[nodiscard]] std::int64_t crossing_of_ray(Index from, Index to) const {
-    const Point a = turned(from), b = turned(to), u = turned(from_);
-    if (from == from_ || to == from_) return 0;
-    if (a.y <= u.y && u.y < b.y && orientation(a, b, u) > 0) return kNeverFits;
-    if (b.y <= u.y && u.y < a.y && orientation(b, a, u) > 0) return -kNeverFits;
-    return 0;
+    return kNeverFits * cuts_->crossing_of_ray(from, to);
   }
 
   DualRegion& region_;
@@ -366,12 +444,11 @@ class StripProof {
   const Deadline& deadline_;
   std::vector<Edge> open_;  // of the region, from first to second place
   Strip strip_;
-  int turns_ = 0;
-  Index from_ = 0;
-  std::vector<OpenEdge> cuts_;
+  std::optional<HoleCuts> cuts_;
   std::vector<bool> is_out_;
   Chords outer_, inner_;
   std::vector<Node> nodes_;                           // by outer place
+  std::vector<DirectedDual> chord_duals_;             // ascending by side
   std::vector<NodeNumber> first_;                     // of each outer place, and the end
   std::vector<NodeNumber> node_of_;                   // by open edge
   std::vector<OpenEdge> across_;                      // ascending
@@ -381,9 +458,13 @@ class StripProof {
 
 }  // namespace
 
-bool add_strip_duals(DualRegion& region, const LocalRegion& local, std::optional<double> length,
+bool add_strip_duals(DualRegion& region, const LocalRegion& local, std::span<const Edge> known,
                      const Deadline& deadline) {
-  return StripProof(region, local, deadline).run(length);
+  return StripProof(region, local, deadline).run(known);
+}
+
+bool add_strip_leaf(DualRegion& region, const LocalRegion& local, std::int64_t target, const Deadline& deadline) {
+  return StripProof(region, local, deadline).run_leaf(target);
 }
 
 }  // namespace mwt

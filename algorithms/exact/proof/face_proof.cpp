@@ -1,4 +1,4 @@
-#include "algorithms/exact/face_proof.h"
+#include "algorithms/exact/proof/face_proof.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -12,7 +12,10 @@
 #include "algorithms/exact/faces/walk_diagonals.h"
 #include "algorithms/exact/holes/local_region.h"
 #include "algorithms/exact/holes/region_triangles.h"
-#include "algorithms/exact/strip_proof.h"
+#include "algorithms/exact/proof/cut_proof.h"
+#include "algorithms/exact/proof/region_outline.h"
+#include "algorithms/exact/proof/slit_proof.h"
+#include "algorithms/exact/proof/strip_proof.h"
 #include "algorithms/proof/cover_duals.h"
 #include "algorithms/proof/polygon_duals.h"
 #include "algorithms/proof_trace.h"
@@ -22,9 +25,10 @@ namespace mwt {
 
 namespace {
 
-using Place = std::uint32_t;
-
 constexpr std::size_t kMaxTriangles = 100'000;  // of a region's linear program
+
+// A bound this near to a known length, relatively, proves it.
+constexpr double kEnough = 2e-13;
 
 struct ProofPart : FacePart {
   std::vector<DualRegion> regions;
@@ -72,75 +76,57 @@ class FaceProof {
     }
   }
 
-  // Nothing if there are too many triangles or the deadline has passed.
+  // The first of these ways that proves what the known triangulation weighs, else the best bound. Nothing if there is
+  // none, because there are too many triangles or the deadline has passed.
   [[nodiscard]] std::optional<DualRegion> note_region(const FaceRegion& region) const {
     if (has_passed(context_.deadline)) return {};
     const LocalRegion local = make_local(faces_.graph().points, region);
-    DualRegion result = outline(local);
-    if (region.components != 2 || !add_duals_around_hole(result, local, region.diagonal_count())) {
-      const auto triangles = region_triangles(local.points, local.sides, kMaxTriangles, context_.deadline);
-      if (!triangles) return {};
-      const std::vector<Triangle> start = known_among(local, *triangles);
-      const TriangleCoverProblem problem{local.points,      *triangles, local.boundary, region.triangle_count(),
-                                         context_.deadline, start};
-      add_cover_duals(result, problem);
+    const DualRegion outline = outline_of(local);
+    if (!context_.fits(3 * PolygonDuals::bytes_for(outline.open_edges.size()))) return {};
+    std::vector<Edge> known = known_edges(outline, local);
+    if (known.size() != region.diagonal_count()) known.clear();
+    double enough = 0;
+    for (const auto& [a, b] : known) enough += length(local.points[a], local.points[b]).high;
+    enough *= 1 - kEnough;
+    DualRegion best;
+    const auto improve = [&](const auto& fill) {
+      DualRegion attempt = outline;
+      if (fill(attempt) && (best.tree.empty() || attempt.lower_bound > best.lower_bound)) best = std::move(attempt);
+      return !best.tree.empty() && best.lower_bound >= enough;  // 0 if nothing is known
+    };
+    bool is_enough = false;
+    if (region.components == 2)
+      is_enough = improve([&](DualRegion& dual) { return add_strip_duals(dual, local, known, context_.deadline); });
+    if (!is_enough) {
+      is_enough = improve(
+          [&](DualRegion& dual) { return add_cut_duals(dual, local, region.components, known, context_.deadline); });
     }
-    for (Index& place : result.places) place = local.vertices[place];
-    return result;
+    if (!is_enough && region.components == 3 && !known.empty())
+      is_enough = improve([&](DualRegion& dual) { return add_slit_duals(dual, local, known, context_.deadline); });
+    if (!is_enough) improve([&](DualRegion& dual) { return add_duals_of_covers(dual, region, local); });
+    if (best.tree.empty()) return {};
+    for (Index& place : best.places) place = local.vertices[place];
+    return best;
   }
 
-  [[nodiscard]] bool add_duals_around_hole(DualRegion& result, const LocalRegion& local, std::size_t diagonals) const {
-    if (!context_.fits(3 * PolygonDuals::bytes_for(result.open_edges.size()))) return false;
-    return add_strip_duals(result, local, known_length(result, local, diagonals), context_.deadline);
+  bool add_duals_of_covers(DualRegion& dual, const FaceRegion& region, const LocalRegion& local) const {
+    const auto triangles = region_triangles(local.points, local.sides, kMaxTriangles, context_.deadline);
+    if (!triangles) return false;
+    const std::vector<Triangle> start = known_among(local, *triangles);
+    add_cover_duals(dual,
+                    {local.points, *triangles, local.boundary, region.triangle_count(), context_.deadline, start});
+    return true;
   }
 
-  // Of the region's open edges that the triangulation has, if they triangulate it.
-  [[nodiscard]] std::optional<double> known_length(const DualRegion& outline, const LocalRegion& local,
-                                                   std::size_t diagonals) const {
-    double sum = 0;
+  // Of the region's open edges, by local numbers.
+  [[nodiscard]] std::vector<Edge> known_edges(const DualRegion& outline, const LocalRegion& local) const {
+    std::vector<Edge> result;
     for (const auto& [from, to] : outline.open_edges) {
       const Index a = outline.places[from], b = outline.places[to];
       const Edge edge = make_edge(local.vertices[a], local.vertices[b]);
-      if (!std::binary_search(known_edges_.begin(), known_edges_.end(), edge)) continue;
-      sum += length(local.points[a], local.points[b]).high;
-      --diagonals;
+      if (std::binary_search(known_edges_.begin(), known_edges_.end(), edge)) result.push_back(make_edge(a, b));
     }
-    return diagonals == 0 ? std::optional(sum) : std::nullopt;
-  }
-
-  // Places by local numbers: closed walks along the boundary, in any order, then points that are on none.
-  static DualRegion outline(const LocalRegion& local) {
-    DualRegion result;
-    std::vector<Place> place_of(local.points.size(), 0);
-    std::vector<bool> has_place(local.points.size(), false);
-    std::vector<std::vector<Index>> next(local.points.size());
-    for (const Edge& side : local.boundary) next[side.a].push_back(side.b);
-    const auto add_place = [&](Index v) {
-      place_of[v] = static_cast<Place>(result.places.size());
-      has_place[v] = true;
-      result.places.push_back(v);
-    };
-    // Where the boundary meets itself, any way to go on makes closed walks in the end.
-    for (Index v = 0; v < local.points.size(); ++v) {
-      while (!next[v].empty()) {
-        const std::size_t first = result.places.size();
-        for (Index at = v; !next[at].empty();) {
-          add_place(at);
-          const Index to = next[at].back();
-          next[at].pop_back();
-          at = to;
-        }
-        result.walk_sizes.push_back(static_cast<std::uint32_t>(result.places.size() - first));
-      }
-    }
-    for (Index v = 0; v < local.points.size(); ++v) {
-      if (!has_place[v]) add_place(v);
-    }
-    for (std::size_t i = local.boundary.size(); i < local.sides.size(); i += 2) {  // each in both directions
-      const Place a = place_of[local.sides[i].a], b = place_of[local.sides[i].b];
-      result.open_edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-    std::sort(result.open_edges.begin(), result.open_edges.end());
+    std::sort(result.begin(), result.end());
     return result;
   }
 
