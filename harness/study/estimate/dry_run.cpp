@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -53,6 +54,8 @@ std::string family_table(const Plan& plan) {
   return table.text("  ");
 }
 
+std::string largest_n_text(Index n) { return n == std::numeric_limits<Index>::max() ? "any" : std::to_string(n); }
+
 std::string algorithm_table(const Plan& plan) {
   struct Row {
     std::size_t runs = 0;
@@ -67,7 +70,7 @@ std::string algorithm_table(const Plan& plan) {
   }
   AlignedTable table({"algorithm", "runs", "largest n", "not started beyond it"});
   for (const auto& [name, row] : rows) {
-    table.add_row({name, std::to_string(row.runs), std::to_string(row.max_n), std::to_string(row.beyond)});
+    table.add_row({name, std::to_string(row.runs), largest_n_text(row.max_n), std::to_string(row.beyond)});
   }
   return table.text("  ");
 }
