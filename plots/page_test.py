@@ -86,7 +86,8 @@ class PageTest(PageTestCase):
 
     def test_what_is_proved_is_a_matrix(self):
         rows = self.texts("#optima tr th[scope=row]")
-        self.assertEqual(rows[:3], ["circle", "greedy_corridor", "uniform"])
+        self.assertEqual(rows[:3], ["uniform", "greedy_corridor", "circle"], "the usual first, the others by the largest alpha")
+        self.assertEqual(self.texts("#optima table:first-of-type th[scope=col]")[:3], ["family", "100", "50"])
         self.assertIn("report_example", rows[3:])
         cells = self.texts("#optima td:not(:empty)")
         statuses = self.texts("#optima .status")
@@ -173,6 +174,9 @@ class PageTest(PageTestCase):
     def test_nothing_is_cut_off(self):
         for width in (360, 390, 768, 1440):
             self.assert_fits(width)
+
+    def test_axe_finds_no_violation(self):
+        self.assert_accessible()
 
 
 if __name__ == "__main__":
