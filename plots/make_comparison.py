@@ -14,6 +14,8 @@ import pandas as pd
 import figures.ratios as ratios
 from library import html_page, style
 from library.html_page import Figure, Section, data_table, number
+from library.records import USUAL_FAMILIES
+from library.style import name_of
 
 SECTIONS = [
     Section("plan", "What differs", "comparison/plan.html"),
@@ -47,7 +49,7 @@ def instances_text(cell):
 
 
 def cells_table(cells):
-    """The cells of both studies, large sizes first; last what one study lacks."""
+    """The cells of both studies, in their order."""
     columns = [
         {"title": "family", "filter": True},
         {"title": "algorithm", "filter": True},
@@ -92,8 +94,10 @@ def cells_table(cells):
 
 
 def sorted_cells(cells):
+    """The usual families and the large sizes first; last what one study lacks."""
     is_one_sided = cells["a_runs"].isna() | cells["b_runs"].isna()
-    order = {family: position for position, family in enumerate(dict.fromkeys(cells["family"]))}
+    families = sorted(dict.fromkeys(cells["family"]), key=lambda family: name_of(family) not in USUAL_FAMILIES)
+    order = {family: position for position, family in enumerate(families)}
     keys = pd.DataFrame({"one": is_one_sided, "family": cells["family"].map(order), "n": -cells["n"]})
     return cells.loc[keys.sort_values(["one", "family", "n"], kind="stable").index]
 
@@ -107,7 +111,7 @@ def drawn(cells):
         for figure, prefix in ((wide, "ratios"), (narrow, "ratios-narrow"))
     ]
     plt.close("all")
-    return [Figure("ratios", ratios.TITLE, ratios.CAPTION, *svgs)]
+    return [Figure("ratios", ratios.TITLE, ratios.caption(cells), *svgs)]
 
 
 def make(folder):

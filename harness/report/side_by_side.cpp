@@ -121,6 +121,15 @@ class AspectsOfStudy {
   std::set<std::pair<std::string, std::string>> seen_;
 };
 
+// Numbers ascending; names stay in the order of the runs.
+void sort_numbers(Aspects& aspects) {
+  for (auto& [aspect, values] : aspects) {
+    const auto number = [](const std::string& value) { return parse_whole_number<std::uint64_t>(value); };
+    if (std::ranges::all_of(values, [&](const std::string& value) { return number(value).has_value(); }))
+      std::ranges::sort(values, {}, [&](const std::string& value) { return *number(value); });
+  }
+}
+
 // Every aspect, whether or not the study has a value of it: two studies have the same aspects in the same order.
 Aspects aspects_of(const ReportData& data, const Labels& labels) {
   AspectsOfStudy aspects;
@@ -145,7 +154,9 @@ Aspects aspects_of(const ReportData& data, const Labels& labels) {
     aspects.add("compiler", environment.compiler);
     aspects.add("runs side by side", std::to_string(environment.jobs));
   }
-  return aspects.all();
+  Aspects all = aspects.all();
+  sort_numbers(all);
+  return all;
 }
 
 std::vector<std::string> missing_in(const std::vector<std::string>& values, const std::vector<std::string>& others) {
@@ -195,7 +206,7 @@ std::string side_text(const char* name, const ReportData& data) {
                      counted(data.records.runs.size(), "run"));
 }
 
-constexpr std::size_t kMostValues = 8;
+constexpr std::size_t kMostValues = 6;
 
 std::string list_text(const std::vector<std::string>& values) {
   if (values.empty()) return kAbsent;

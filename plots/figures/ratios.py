@@ -6,10 +6,7 @@ from figures.panels import fold
 from library.style import INK, Styles, report_first
 
 TITLE = "By how much B differs from A"
-CAPTION = (
-    "Every mark is a cell (family and n) that both studies have; marks of one algorithm stand in a row, spread to be seen. Left: median time of"
-    " B over that of A. Right: mean α of B minus that of A. Left of the line, B is faster or better."
-)
+SAME = 1e-11  # of alpha, which certified intervals are wide
 
 
 def rows_of(cells, column):
@@ -43,9 +40,39 @@ def ratio_ticks(axes, values):
     axes.minorticks_off()
 
 
+def change_ticks(axes, values):
+    """Decades on both sides of 0, at most three on a side."""
+    worst = np.abs(values).max()
+    top = int(np.ceil(np.log10(worst)))
+    least = max(top - 4, -6)
+    axes.set_xscale("symlog", linthresh=10.0**least, linscale=0.5)
+    decades = range(top, least - 1, -max(1, -(-(top - least + 1) // 2)))
+    ticks = [10.0**decade for decade in decades]
+    axes.set_xlim(-(10.0**top) * 1.3, 10.0**top * 1.3)
+    axes.set_xticks([-tick for tick in ticks] + [0, *ticks[::-1]])
+    axes.set_xticklabels([f"{tick:.6g}" for tick in axes.get_xticks()], fontsize=7.5)
+    axes.minorticks_off()
+
+
+def changes_of(cells):
+    """[(label, changes of alpha)]; none if alpha is the same everywhere."""
+    return rows_of(cells, "alpha_change") if (cells["alpha_change"].abs() > SAME).any() else []
+
+
+def caption(cells):
+    sentences = ["Every mark is a cell (family and n) that both studies have; marks of one algorithm stand in a row, spread to be seen."]
+    if cells["time_ratio"].notna().any():
+        sentences.append("Times: the median of B over that of A.")
+    if changes_of(cells):
+        sentences.append("α: the mean of B minus that of A; the axis is linear near 0 and logarithmic outside.")
+    elif cells["alpha_change"].notna().any():
+        sentences.append("The mean α is the same in every cell, and not drawn.")
+    return " ".join([*sentences, "Left of the line, B is faster or better."])
+
+
 def draw(cells, layout):
     """None if both studies have no cell with times or alphas in common."""
-    times, alphas = rows_of(cells, "time_ratio"), rows_of(cells, "alpha_change")
+    times, alphas = rows_of(cells, "time_ratio"), changes_of(cells)
     shown = [rows for rows in (times, alphas) if rows]
     if not shown:
         return None
@@ -65,7 +92,6 @@ def draw(cells, layout):
         axes = next(panels)
         draw_rows(axes, alphas, styles, 0, layout)
         axes.set_xlabel("change of mean α, B − A")
-        axes.locator_params(axis="x", nbins=5)
-        axes.ticklabel_format(axis="x", style="plain", useOffset=False)
+        change_ticks(axes, np.concatenate([values for _, values in alphas]))
     figure.tight_layout()
     return figure

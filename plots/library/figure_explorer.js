@@ -540,12 +540,13 @@ class FigureExplorer {
     const together = this.near(this.px[row], this.py[row], 2);
     const more = together.length - 1;
     const name = `${this.text("variant", row)} on ${this.text("points", row)}, n = ${tickText(this.runs.numbers.n[row])}, seed ${this.runs.numbers.seed[row]}`;
-    this.hint.textContent = `${name}: ${this.valueText("x", row)}, ${this.valueText("y", row)}${more ? ` and ${more.toLocaleString("en")} more here` : ""}`;
+    const values = ["x", "y"].filter((axis) => !["n", "seed"].includes(this.axisChoice[axis].select.value)).map((axis) => this.valueText(axis, row));
+    this.hint.textContent = `${[name, ...values].join("; ")}${more ? ` and ${more.toLocaleString("en")} more here` : ""}`;
     this.hint.style.left = `${Math.min(Math.max(4, this.px[row] - 60), Math.max(4, this.width - this.hint.offsetWidth - 4))}px`;
     this.hint.style.top = `${this.py[row] > this.height / 2 ? this.py[row] - this.hint.offsetHeight - 14 : this.py[row] + 14}px`;
     const state = this.text("status", row) === "ok" ? "" : ` (${this.text("status", row)})`;
     const others = more ? `. ${together.indexOf(row) + 1} of ${together.length.toLocaleString("en")} at this place: click again for the next` : "";
-    this.add(this.details, "p", { textContent: `${name}${state}: ${this.allValues(row)}. Run ${this.text("run_id", row)}${others}.` });
+    this.add(this.details, "p", { textContent: `${name}${state}; ${this.allValues(row)}. Run ${this.text("run_id", row)}${others}.` });
     this.add(this.add(this.details, "pre", { tabIndex: 0 }), "code", { textContent: this.command(row) });
   }
 
@@ -555,12 +556,12 @@ class FigureExplorer {
 
   valueText(axis, row) {
     const { select } = this.axisChoice[axis];
-    return `${this[axis].title} ${numberText(this.runs.numbers[select.value][row])}`;
+    return `${this[axis].title}: ${numberText(this.runs.numbers[select.value][row])}`;
   }
 
   allValues(row) {
     return this.measures.filter(([measure]) => !["n", "seed"].includes(measure) && !Number.isNaN(this.runs.numbers[measure][row]))
-      .map(([measure, title]) => `${title} ${numberText(this.runs.numbers[measure][row])}`).join(", ");
+      .map(([measure, title]) => `${title}: ${numberText(this.runs.numbers[measure][row])}`).join("; ");
   }
 
   command(row) {
