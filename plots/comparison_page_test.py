@@ -75,7 +75,7 @@ class ComparisonPageTest(PageTestCase):
         self.assertIn("only A", text)
 
     def test_mistakes_are_one_line(self):
-        for more, words in ((["--tables", "t.txt"], "without --paper and --tables"), (["--families", "uniform"], "--paper")):
+        for more, words in ((["--tables", "t.txt"], "without --paper, --tables and --page"), (["--families", "uniform"], "--paper")):
             made = subprocess.run([str(part) for part in [*self.command, *more]], capture_output=True, text=True)
             self.assertEqual((made.returncode, len(made.stderr.splitlines())), (2, 1), made.stderr)
             self.assertIn(words, made.stderr)

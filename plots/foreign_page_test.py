@@ -58,9 +58,7 @@ class ForeignPageTest(PageTestCase):
         run(program(), "run", HERE / "testdata" / "foreign_study.toml", "--out", results, "--no-cache")
         rewrite(results / "runs.csv", with_own_algorithm_and_a_failure)
         rewrite(results / "instances.csv", with_own_family)
-        run(program(), "report", results)
-        run(HERE / "gallery.sh", program(), results)
-        run(HERE / "make_page.py", results)
+        run(program(), "report", results, "--page")
         cls.results = results
         cls.page = results / "report.html"
         cls.browser = cls.enterClassContext(browser.Browser())

@@ -21,8 +21,9 @@ solve() {  # solve SET NAME ALGORITHM [OPTION...]
 # The same points triangulated by every algorithm of the study; some take special points only.
 "$mwt" generate uniform --n 60 --seed 3 -o same_points.csv
 solve same_points optimum exact
-"$plots/study_algorithms.py" "$results" 60 | while IFS=$'\t' read -r name algorithm parameters; do
+"$plots/study_algorithms.py" "$results" 60 | while IFS=$'\t' read -r name algorithm parameters commands; do
   options=()
+  [ -z "$commands" ] || options+=(--commands "$commands")
   for parameter in $parameters; do options+=(--param "$parameter"); done
   if ! solve same_points "$name" "$algorithm" "${options[@]}"; then
     rm -f -- "same_points.$name.csv" "same_points.$name.json"

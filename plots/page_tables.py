@@ -177,9 +177,14 @@ def without_empty(columns, rows):
     return [columns[position] for position in kept], [[row[position] for position in kept] for row in rows]
 
 
+def project_file(results):
+    """Where a study of the project of this name would be."""
+    return pathlib.Path(__file__).parent.parent / STUDIES / f"{results.study['name']}.toml"
+
+
 def project_study(results):
     """Whether the study is one of the project's own, as they are now."""
-    path = pathlib.Path(__file__).parent.parent / STUDIES / f"{results.study['name']}.toml"
+    path = project_file(results)
     return path.is_file() and path.read_text(encoding="utf-8") == results.study_text
 
 

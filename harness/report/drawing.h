@@ -2,13 +2,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace mwt {
 
-/// Runs plots/SCRIPT on the folder. The script is sought beside the sources that this program was built from, or moved
-/// with. Returns an empty text, or one line why nothing is drawn now, with the remedy; `needs` names what the script
-/// needs to be installed.
-[[nodiscard]] std::string draw_by_script(const std::string& script, const std::string& folder,
+/// Runs plots/SCRIPT with these arguments. The script is sought where this program is installed, else beside the
+/// sources that it was built from, else beside these where they have been moved with the program. Returns an empty
+/// text, or one line why it did nothing, with the remedy; `needs` names what the script needs to be installed.
+[[nodiscard]] std::string draw_by_script(const std::string& script, const std::vector<std::string>& arguments,
                                          const std::string& needs);
+
+/// The path of this program, for scripts that call it.
+[[nodiscard]] std::string own_path();
 
 }  // namespace mwt

@@ -20,9 +20,12 @@ namespace mwt {
 
 namespace {
 
+constexpr const char* kPageNeeds = "python3-pandas, python3-matplotlib and python3-jinja2";
+
 struct ReportArguments {
   std::string folder;
   std::optional<std::string> tables;
+  bool page = false;
   std::optional<std::string> paper;
   std::optional<std::string> compare;
   std::optional<std::string> out;
@@ -72,8 +75,9 @@ std::string repeating_command(const ReportArguments& options) {
 
 // Each option belongs to one kind of report; elsewhere it would do nothing.
 void require_one_kind(const ReportArguments& options) {
-  if (options.compare && (options.paper || options.tables))
-    throw InputError("--compare prints two studies side by side; give it without --paper and --tables");
+  if (options.compare && (options.paper || options.tables || options.page))
+    throw InputError("--compare prints two studies side by side; give it without --paper, --tables and --page");
+  if (options.paper && options.page) throw InputError("--paper makes no page; give either it or --page");
   if (options.out && !options.compare) throw InputError("--out FOLDER is for the page of --compare FOLDER; give both");
   if (options.paper && options.tables) throw InputError("--paper prints no tables; give either it or --tables");
   if (options.paper) return;
@@ -92,7 +96,7 @@ int report_paper(const ReportArguments& options) {
     std::cout << "written: " << file << '\n';
   std::cout.flush();
   const std::string missing =
-      draw_by_script("draw_paper.py", *options.paper,
+      draw_by_script("draw_paper.py", {*options.paper},
                      "python3-pandas, python3-matplotlib and, for PGF, texlive-latex-base and texlive-pictures");
   if (!missing.empty()) std::cerr << "mwt: warning: " << missing << '\n';
   return kExitOk;
@@ -116,8 +120,7 @@ int report_comparison(const ReportArguments& options) {
   write_file_atomically((folder / "cells.csv").string(), side_by_side_cells_csv(both));
   write_file_atomically((folder / "plan.csv").string(), side_by_side_plan_csv(both));
   std::cout << "written: " << (folder / "cells.csv").string() << ", plan.csv" << std::endl;
-  const std::string missing =
-      draw_by_script("make_comparison.py", *options.out, "python3-pandas, python3-matplotlib and python3-jinja2");
+  const std::string missing = draw_by_script("make_comparison.py", {*options.out}, kPageNeeds);
   if (!missing.empty()) std::cerr << "mwt: warning: " << missing << '\n';
   return kExitOk;
 }
@@ -135,6 +138,15 @@ void require_usable_output(const ReportArguments& options) {
   require_usable_outputs({&output, 1}, files);
 }
 
+// The page, and what its gallery draws: the study's algorithms on the same points. Scripts print what they write.
+void make_page(const std::string& folder) {
+  std::cout.flush();
+  for (const std::string& missing : {draw_by_script("gallery.sh", {own_path(), folder}, kPageNeeds),
+                                     draw_by_script("make_page.py", {folder}, kPageNeeds)}) {
+    if (!missing.empty()) std::cerr << "mwt: warning: " << missing << '\n';
+  }
+}
+
 int report(const ReportArguments& options) {
   require_one_kind(options);
   if (options.compare) return report_comparison(options);
@@ -148,6 +160,7 @@ int report(const ReportArguments& options) {
   const bool is_file = options.tables && !is_standard_output(*options.tables);
   if (is_file) std::cout << "written: " << *options.tables << '\n';
   for (const ReportPart& part : report_results()) part(data, std::cout);
+  if (options.page) make_page(options.folder);
   return kExitOk;
 }
 
@@ -159,6 +172,8 @@ Command report_command() {
     declared.argument("folder", options->folder, kFolder, "results folder of a study (mwt run)");
     declared.option("--tables", options->tables, kFile,
                     "write the tables to this file instead of printing them (often thousands of lines)");
+    declared.flag("--page", options->page,
+                  "also make the page, FOLDER/report.html: figures, gallery, tables, a figure explorer");
     declared.option("--paper", options->paper, kFolder,
                     "write LaTeX tables, figures (PDF, PGF), their data and a document of them to this folder instead");
     declared.option("--compare", options->compare, kFolder,
