@@ -15,6 +15,7 @@
 #include "harness/paper/paper.h"
 #include "harness/report/drawing.h"
 #include "harness/report/side_by_side.h"
+#include "harness/study/study.h"
 
 namespace mwt {
 
@@ -29,6 +30,7 @@ struct ReportArguments {
   std::optional<std::string> paper;
   std::optional<std::string> compare;
   std::optional<std::string> out;
+  std::optional<std::string> choice;
   std::optional<std::string> families;
   std::optional<std::string> sizes;
   std::optional<std::string> algorithms;
@@ -45,8 +47,13 @@ std::vector<std::string> names_of(const std::optional<std::string>& list) {
 
 PaperSelection selection_of(const ReportArguments& options) {
   PaperSelection selection;
-  selection.families = names_of(options.families);
-  selection.algorithms = names_of(options.algorithms);
+  if (options.choice) {
+    const ResultChoice choice = read_result_choice(*options.choice);
+    selection = {choice.families, choice.sizes, choice.algorithms};
+  }
+  if (options.families) selection.families = names_of(options.families);
+  if (options.algorithms) selection.algorithms = names_of(options.algorithms);
+  if (options.sizes) selection.sizes.clear();
   for (const std::string& text : names_of(options.sizes)) {
     const std::optional<Index> n = parse_whole_number<Index>(text);
     if (!n) throw InputError("--sizes: " + shown(text) + " is no number of points; give numbers such as 100,1000");
@@ -67,6 +74,7 @@ std::string repeating_command(const ReportArguments& options) {
     return text_in_quotes += '\'';
   };
   std::string command = "mwt report " + quoted(options.folder) + " --paper " + quoted(*options.paper);
+  if (options.choice) command += " --choice " + quoted(*options.choice);
   if (options.families) command += " --families " + quoted(*options.families);
   if (options.sizes) command += " --sizes " + quoted(*options.sizes);
   if (options.algorithms) command += " --algorithms " + quoted(*options.algorithms);
@@ -81,8 +89,9 @@ void require_one_kind(const ReportArguments& options) {
   if (options.out && !options.compare) throw InputError("--out FOLDER is for the page of --compare FOLDER; give both");
   if (options.paper && options.tables) throw InputError("--paper prints no tables; give either it or --tables");
   if (options.paper) return;
-  for (const auto& [name, value] : {std::pair("--families", &options.families), std::pair("--sizes", &options.sizes),
-                                    std::pair("--algorithms", &options.algorithms)}) {
+  for (const auto& [name, value] :
+       {std::pair("--choice", &options.choice), std::pair("--families", &options.families),
+        std::pair("--sizes", &options.sizes), std::pair("--algorithms", &options.algorithms)}) {
     if (*value) throw InputError(std::string(name) + " chooses what --paper FOLDER shows; give both");
   }
 }
@@ -179,6 +188,9 @@ Command report_command() {
     declared.option("--compare", options->compare, kFolder,
                     "print the cells of this study beside those of the first, with ratios, and what differs in plan");
     declared.option("--out", options->out, kFolder, "write the comparison to this folder, too: CSV and a page");
+    declared.option(
+        "--choice", options->choice, kFile,
+        "TOML file with lists of families, sizes and algorithms for --paper; the next options replace a list");
     declared.option("--families", options->families, ValueKind{"NAMES"}, "families of --paper, separated by commas");
     declared.option("--sizes", options->sizes, ValueKind{"NUMBERS"},
                     "numbers of points of --paper, separated by commas");
