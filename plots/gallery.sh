@@ -46,6 +46,9 @@ for flips in 0 1 2; do
 done
 solve local_search_figure exact exact
 
+# The same and more, step by step. An installed mwt has no recorder.
+[ ! -f "$plots/make_tour.py" ] || "$plots/make_tour.py" "$mwt" tour.html >/dev/null
+
 # The step of its proof that fails: the hull alone weighs more than the optimum with the inner point.
 "$mwt" generate hull_bound_counterexample -o hull_bound_counterexample.csv
 solve hull_bound_counterexample exact exact

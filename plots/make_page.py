@@ -109,6 +109,14 @@ def explorer(results):
     return html_page.json_script(values)
 
 
+def tour(results):
+    """The page of recorded steps that plots/gallery.sh made, empty without one. Its examples are the source report's."""
+    path = results.folder / "gallery" / "tour.html"
+    if not results.judges_claims or not path.is_file():
+        return ""
+    return path.read_text(encoding="utf-8").replace("</head>", "<style>header { display: none; } #look canvas { height: 50vh; }</style></head>", 1)
+
+
 def claim_values(results, claim_rows):
     if not results.judges_claims:
         return {"question": None, "verdicts": None}
@@ -128,6 +136,7 @@ def make(results):
         "counts": counts(results),
         "figures": draw_figures(results, figures.CHARTS),
         "gallery": draw_figures(results, figures.GALLERY),
+        "tour": tour(results),
         "optima": page_optima.matrix(results),
         "tables": page_tables.summary_table(results),
         "growth": page_tables.growth_table(results),

@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -74,6 +75,22 @@ class PageTest(PageTestCase):
         self.assertTrue(
             self.value("[...document.querySelectorAll('figure svg')].every((svg) => svg.getAttribute('aria-label'))")
         )
+
+    def test_recorded_steps_are_played(self):
+        self.assertEqual(self.value("document.activeElement.tagName"), "BODY", "it takes no focus before it is opened")
+        self.value("document.getElementById('tour').click()")
+        self.value("document.querySelector('iframe.tour').scrollIntoView()")
+        inside = "document.querySelector('iframe.tour').contentDocument"
+        end = time.monotonic() + 20
+        while not self.value(f"{inside}.querySelectorAll('#example option').length") and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertEqual(self.value(f"{inside}.querySelectorAll('#example option').length"), 6)
+        self.assertIn("greedy_naive", self.value(f"{inside}.getElementById('command').textContent"))
+        self.value("document.getElementById('theme').click()")
+        self.assertEqual(self.value(f"{inside}.documentElement.dataset.theme"), "dark")
+        for width in (390, 768, 1440):
+            self.browser.show_as(width, 900, dark=False)
+            self.assertLessEqual(self.value(f"{inside}.documentElement.scrollWidth"), width)
 
     def test_ids_are_unique(self):
         self.assertEqual(

@@ -281,7 +281,14 @@ function addThemeButton() {
     const root = document.documentElement;
     const shown = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     root.dataset.theme = shown === "dark" ? "light" : "dark";
+    document.querySelectorAll("iframe").forEach(follow);
   });
+  // A page within this one (<iframe data-page="HTML"> in <details>) is loaded when it is first seen, and has the same colours.
+  const follow = (frame) => { frame.contentDocument.documentElement.dataset.theme = document.documentElement.dataset.theme ?? ""; };
+  for (const frame of document.querySelectorAll("iframe[data-page]")) {
+    frame.addEventListener("load", () => follow(frame));
+    frame.closest("details").addEventListener("toggle", () => { if (!frame.srcdoc) frame.srcdoc = frame.dataset.page; });
+  }
 }
 
 // A link to a claim opens it.
