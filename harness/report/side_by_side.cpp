@@ -96,10 +96,13 @@ PairedCell paired_cell(const CellKey& key, const CellValues& a, const CellValues
   return cell;
 }
 
-const CellSummary* summary_of(const ReportData& data, const CellKey& key) {
-  const auto found = std::ranges::find_if(
-      data.summaries, [&](const CellSummary& summary) { return summary.cell.key == key && summary.cell.runs > 0; });
-  return found == data.summaries.end() ? nullptr : &*found;
+// The cells with runs.
+std::map<CellKey, const CellSummary*> summaries_by_cell(const ReportData& data) {
+  std::map<CellKey, const CellSummary*> by_cell;
+  for (const CellSummary& summary : data.summaries) {
+    if (summary.cell.runs > 0) by_cell[summary.cell.key] = &summary;
+  }
+  return by_cell;
 }
 
 // What a study has of each aspect, in the order of its runs.
@@ -308,11 +311,12 @@ SideBySide side_by_side(const ReportData& a, const ReportData& b) {
   const std::vector<Cell> cells = cells_of(runs_of_both(a, b));
   SideBySide both{&a, &b, Labels(cells), {}, {}, {}};
   auto of_a = values_by_cell(a), of_b = values_by_cell(b);
+  auto summaries_of_a = summaries_by_cell(a), summaries_of_b = summaries_by_cell(b);
   for (const Cell& cell : cells) {
     if (cell.runs == 0) continue;
     PairedCell& paired = both.cells.emplace_back(paired_cell(cell.key, of_a[cell.key], of_b[cell.key]));
-    paired.a = summary_of(a, cell.key);
-    paired.b = summary_of(b, cell.key);
+    paired.a = summaries_of_a[cell.key];
+    paired.b = summaries_of_b[cell.key];
   }
   both.differences = differences_of(aspects_of(a, both.labels), aspects_of(b, both.labels));
   both.warnings = warnings_of(both);
