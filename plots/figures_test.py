@@ -70,6 +70,12 @@ class EqualLabels(unittest.TestCase):
         self.assertEqual(found, {"a": [], "b": []})
 
 
+class Coincident(unittest.TestCase):
+    def test_the_first_stands_for_those_with_equal_values(self):
+        found = panels.coincident({"a": [1, 2], "b": [1, 3], "c": [1, 2], "d": [1, 2, 3]})
+        self.assertEqual(found, {"a": ["c"], "b": [], "d": []})
+
+
 def law(exponent, factor=1.0, min_n=10, max_n=1000, lower=math.nan, upper=math.nan, fits=True):
     return Law(exponent, lower, upper, factor, min_n, max_n, fits)
 

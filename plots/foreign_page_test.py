@@ -7,13 +7,15 @@ Selenium.
 """
 import csv
 import pathlib
+import subprocess
 import sys
 import tempfile
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import browser  # noqa: E402  (beside this file)
-from page_testing import PageTestCase, main, program, run  # noqa: E402
+from page_testing import Keys, PageTestCase, main, program, run  # noqa: E402
 
 OWN_ALGORITHM, OWN_FAMILY = "my_heuristic", "my_family"
 FAILURE = "a failure made up by the test"
@@ -56,9 +58,7 @@ class ForeignPageTest(PageTestCase):
         run(program(), "run", HERE / "testdata" / "foreign_study.toml", "--out", results, "--no-cache")
         rewrite(results / "runs.csv", with_own_algorithm_and_a_failure)
         rewrite(results / "instances.csv", with_own_family)
-        run(program(), "report", results)
-        run(HERE / "gallery.sh", program(), results)
-        run(HERE / "make_page.py", results)
+        run(program(), "report", results, "--page")
         cls.results = results
         cls.page = results / "report.html"
         cls.browser = cls.enterClassContext(browser.Browser())
@@ -146,6 +146,82 @@ class ForeignPageTest(PageTestCase):
         self.show_all_cells()
         self.assertEqual(sum(int(text) for text in self.column("tables", titles.index("failed") + 1)), 1)
 
+    def click_head(self, title):
+        self.value(f"[...document.querySelectorAll('#tables th button')].find((one) => one.textContent === {title!r}).click()")
+
+    def test_a_click_sorts_and_the_third_restores(self):
+        before = self.column("tables", 1)
+        for wanted in ("ascending", "descending", None):
+            self.click_head("alpha mean")
+            found = self.value("[...document.querySelectorAll('#tables th')].map((one) => one.getAttribute('aria-sort'))"
+                               ".filter(Boolean)")
+            self.assertEqual(found, [wanted] if wanted else [])
+        self.assertEqual(self.column("tables", 1), before)
+
+    def test_the_keyboard_sorts(self):
+        self.value("document.querySelectorAll('#tables th button')[2].focus()")
+        self.browser.press(Keys.ENTER)
+        sizes = [int(text) for text in self.column("tables", 3)]
+        self.assertEqual(sizes, sorted(sizes))
+
+    def test_trivially_small_cells_come_last(self):
+        self.show_all_cells()
+        sizes = [int(n) for n in self.column("tables", 3)]
+        self.assertEqual(set(sizes[sizes.index(10):]) - {10}, set(sizes[-3:]) - {10}, "only what is optimal everywhere with them")
+        self.assertNotIn(10, sizes[:30])
+
+    def test_columns_are_chosen(self):
+        self.assertNotIn("alpha median", self.texts("#tables th button"))
+        self.value("[...document.querySelectorAll('#tables .column-list label')].find((one) =>"
+                   " one.textContent.trim() === 'alpha median').querySelector('input').click()")
+        self.assertIn("alpha median", self.texts("#tables th button"))
+        self.assertEqual(len(self.texts("#tables tbody tr:first-child td")), len(self.texts("#tables th")))
+
+    def test_a_table_is_downloaded_as_csv(self):
+        self.browser.save_downloads_in(self.folder.name)
+        self.value("[...document.querySelectorAll('#tables button')].find((one) => one.textContent.includes('CSV')).click()")
+        path = pathlib.Path(self.folder.name) / "summary_table.csv"
+        end = time.monotonic() + 20
+        while not path.is_file() and time.monotonic() < end:
+            time.sleep(0.05)
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        with open(self.results / "summary.csv", newline="", encoding="utf-8") as file:
+            cells = [row for row in csv.DictReader(file) if int(row["runs"])]
+        self.assertEqual(len(rows), len(cells))
+        self.assertEqual((rows[0]["family"], rows[0]["n"]), ("uniform", "100"))
+        cell = next(one for one in cells if (one["family"], one["label"], one["n"]) ==
+                    ("uniform", rows[0]["algorithm"], "100"))
+        self.assertAlmostEqual(float(rows[0]["the mean’s 95% interval, lower"]), float(cell["alpha_mean_lower"]), places=5)
+
+    def test_a_constant_series_has_no_r_squared(self):
+        with open(self.results / "exponents.csv", newline="", encoding="utf-8") as file:
+            laws = list(csv.DictReader(file))
+        constant = {(law["family"], law["label"]) for law in laws if law["measure"] == "alpha" and not law["r_squared"]}
+        self.assertIn(("uniform", "patch k=14"), constant)
+        titles = self.texts("#growth th button")
+        rows = self.value("[...document.querySelectorAll('#growth tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))")
+        for row in rows:
+            is_constant = row[2] == "alpha" and (row[0], row[1]) in constant
+            self.assertEqual(row[titles.index("R²")] == "–", is_constant, row)
+
+    def test_coincident_series_are_named_together(self):
+        for name in ("alpha_by_n", "time_by_n", "trade_off"):
+            self.assertTrue(f"delaunay = {OWN_ALGORITHM}" in self.figure_text(name, ".wide").replace("\n", " "), name)
+
+    def test_figures_take_their_statistics_from_the_program(self):
+        made = self.results / "summary.csv"
+        before = made.read_text(encoding="utf-8")
+        rewrite(made, lambda rows: [dict(row, wall_time_median_s="123") for row in rows])
+        try:
+            found = subprocess.run(
+                [sys.executable, "-c", "import sys; sys.path.insert(0, sys.argv[1]); from library.records import Results;"
+                 " from figures import time_by_n; print(time_by_n.medians(Results(sys.argv[2]))['uniform']['delaunay'].tolist())",
+                 str(HERE), str(self.results)], capture_output=True, text=True, check=True)
+        finally:
+            made.write_text(before, encoding="utf-8")
+        self.assertEqual(set(found.stdout.strip("[]\n").split(", ")), {"123.0"})
+
     def test_failures_are_listed(self):
         self.assertIn("1 run failed", self.value("document.querySelector('header').textContent"))
         self.assertEqual(len(self.column("failures", 1)), 1)
@@ -155,6 +231,9 @@ class ForeignPageTest(PageTestCase):
     def test_nothing_is_cut_off(self):
         for width in (360, 390, 768, 1440):
             self.assert_fits(width)
+
+    def test_axe_finds_no_violation(self):
+        self.assert_accessible()
 
 
 if __name__ == "__main__":

@@ -21,8 +21,9 @@ solve() {  # solve SET NAME ALGORITHM [OPTION...]
 # The same points triangulated by every algorithm of the study; some take special points only.
 "$mwt" generate uniform --n 60 --seed 3 -o same_points.csv
 solve same_points optimum exact
-"$plots/study_algorithms.py" "$results" 60 | while IFS=$'\t' read -r name algorithm parameters; do
+"$plots/study_algorithms.py" "$results" 60 | while IFS=$'\t' read -r name algorithm parameters commands; do
   options=()
+  [ -z "$commands" ] || options+=(--commands "$commands")
   for parameter in $parameters; do options+=(--param "$parameter"); done
   if ! solve same_points "$name" "$algorithm" "${options[@]}"; then
     rm -f -- "same_points.$name.csv" "same_points.$name.json"
@@ -44,6 +45,9 @@ for flips in 0 1 2; do
     --param start="$studies/local_search_figure_start.csv" --param max_flips="$flips"
 done
 solve local_search_figure exact exact
+
+# The same and more, step by step. An installed mwt has no recorder.
+[ ! -f "$plots/make_tour.py" ] || "$plots/make_tour.py" "$mwt" tour.html >/dev/null
 
 # The step of its proof that fails: the hull alone weighs more than the optimum with the inner point.
 "$mwt" generate hull_bound_counterexample -o hull_bound_counterexample.csv

@@ -22,9 +22,11 @@ from library.records import Results
 SECTIONS = [
     Section("verdicts", "Verdicts", "study/verdicts.html"),
     Section("figures", "Figures", "study/figures.html"),
+    Section("explorer", "Explore", "study/explorer.html"),
     Section("gallery", "Gallery", "study/gallery.html"),
     Section("optima", "What is proved", "study/optima.html"),
     Section("tables", "Tables", "study/tables.html"),
+    Section("growth", "Growth", "study/growth.html"),
     Section("failures", "Failures", "study/failures.html"),
     Section("runs", "All runs", "study/runs.html"),
     Section("reproduce", "Reproduce", "study/reproduce.html"),
@@ -92,6 +94,29 @@ def reproduce(results):
     }
 
 
+def timed_environment(results):
+    """What ran the newest of the runs whose times are shown."""
+    environments = results.environments
+    timed = environments[environments["env_id"].isin(results.runs[results.runs["is_timed"] == 1]["env_id"])]
+    return (timed if len(timed) else environments).iloc[-1].to_dict()
+
+
+def explorer(results):
+    """What figure_explorer.js needs besides the table of runs."""
+    colour = {style.INK: ""}
+    looks = {name: [colour.get(look[0], look[0]), *look[1:]] for name, look in style.ALGORITHMS.items()}
+    values = {"looks": looks, "others": style.OTHERS, "study": results.study["name"], "folder": page_tables.FOREIGN_FOLDER}
+    return html_page.json_script(values)
+
+
+def tour(results):
+    """The page of recorded steps that plots/gallery.sh made, empty without one. Its examples are the source report's."""
+    path = results.folder / "gallery" / "tour.html"
+    if not results.judges_claims or not path.is_file():
+        return ""
+    return path.read_text(encoding="utf-8").replace("</head>", "<style>header { display: none; } #look canvas { height: 50vh; }</style></head>", 1)
+
+
 def claim_values(results, claim_rows):
     if not results.judges_claims:
         return {"question": None, "verdicts": None}
@@ -111,13 +136,16 @@ def make(results):
         "counts": counts(results),
         "figures": draw_figures(results, figures.CHARTS),
         "gallery": draw_figures(results, figures.GALLERY),
+        "tour": tour(results),
         "optima": page_optima.matrix(results),
         "tables": page_tables.summary_table(results),
+        "growth": page_tables.growth_table(results),
         "failures": page_tables.failures_table(results),
         "runs": page_tables.runs_table(results, claim_rows),
+        "explorer": explorer(results),
         "reproduce": reproduce(results),
-        "environment": results.environments.iloc[-1].to_dict(),
-        "machines": {"count": results.machine_count, "shown": results.machine},
+        "environment": timed_environment(results),
+        "untimed": int((results.runs["is_timed"] == 0).sum()),
     }
     sections = [section for section in SECTIONS if values[section.name]]
     return html_page.render("study.html", values | {"sections": sections}, {"pretty": page_claims.pretty})

@@ -66,7 +66,7 @@ def cell_values(cell):
 
 
 def matrix(results):
-    """Families by sizes; None if the study has no instances. Families of one size only, such as named instances and files, share
+    """Families by sizes, the usual families and the large sizes first; None if the study has no instances. Families of one size only, such as named instances and files, share
     a list."""
     optima = results.optima
     if optima.empty:
@@ -74,13 +74,14 @@ def matrix(results):
     cells = {(cell.family, cell.n): cell_values(cell) for cell in optima.itertuples()}
     sizes_of = optima.groupby("family", sort=False)["n"].nunique()
     wide = [family for family, sizes in sizes_of.items() if sizes > 1]
-    sizes = sorted(set(optima[optima["family"].isin(wide)]["n"]))
+    sizes = sorted(set(optima[optima["family"].isin(wide)]["n"]), reverse=True)
+    wide = [family for family in results.families if family in wide] + [family for family in wide if family not in results.families]
     return {
         "sizes": sizes,
-        "rows": [{"family": family, "cells": [cells.get((family, n)) for n in sizes]} for family in sorted(wide)],
+        "rows": [{"family": family, "cells": [cells.get((family, n)) for n in sizes]} for family in wide],
         "single": [
             {"family": cell.family, "n": cell.n, "cell": cells[cell.family, cell.n]}
-            for cell in optima.sort_values(["n", "family"]).itertuples()
+            for cell in optima.sort_values(["n", "family"], ascending=[False, True]).itertuples()
             if cell.family not in wide
         ],
         "has_proofs": bool((optima[["verified", "verified_bounds", "refused", "no_verdict"]].sum(axis=1) > 0).any()),

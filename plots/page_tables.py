@@ -10,7 +10,10 @@ import pandas as pd
 from library.html_page import data_table, number
 from library.records import OPTIMAL
 
+SMALLEST_N = 20  # below, nearly every algorithm is optimal
+MIB = 2**20
 STUDIES = "harness/studies"
+FOREIGN_FOLDER = "FOLDER_OF_THE_STUDY"
 START_FILE = re.compile(r"start=(\S+\.csv)")  # sought beside the study file
 GENERATE_COMMAND = (
     "build/release/mwt generate {family} --n {n} --seed {seed}{family parameters options} -o points.csv\n"
@@ -30,34 +33,49 @@ def interval(row, name, scale=1.0, digits=6):
     return "" if pd.isna(low) else f"{scale * low:.{digits}g} – {scale * high:.{digits}g}"
 
 
-def sorted_cells(results):
-    """The cells with runs: usual families, large sizes and small alphas first; last the families and sizes on which every
-    algorithm is optimal."""
-    cells = results.summary[results.summary["runs"] > 0].copy()
+def is_minor(cells, results):
+    """Whether a cell is one of those that readers look at last: trivially small ones beside larger ones, and families and sizes on
+    which every algorithm is optimal."""
+    small = cells["n"] < SMALLEST_N if results.summary["n"].max() >= SMALLEST_N else cells["n"] < 0
     worst = cells.groupby(["family", "n"])["alpha_max"].transform("max")
-    cells["is_trivial"] = worst <= OPTIMAL
+    return small | (worst <= OPTIMAL)
+
+
+def sorted_cells(results):
+    """The cells with runs: usual families, large sizes and small alphas first."""
+    cells = results.summary[results.summary["runs"] > 0].copy()
+    cells["is_minor"] = is_minor(cells, results)
     cells["rank"] = cells["family"].map(rank_of(results.families))
     cells["max_first"] = -cells["n"]
-    keys = ["is_trivial", "rank", "max_first", "alpha_mean", "wall_time_median_s"]
+    keys = ["is_minor", "rank", "max_first", "alpha_mean", "wall_time_median_s"]
     return cells.sort_values(keys, kind="stable", na_position="last")
 
 
 def summary_table(results):
-    """Time, alpha and failures per family, algorithm and n; None if no cell has a run."""
+    """Time, alpha, memory and failures per family, algorithm and n; None if no cell has a run."""
     columns = [
         {"title": "family", "filter": True},
         {"title": "algorithm", "filter": True},
         {"title": "n", "number": True, "filter": True},
         {"title": "alpha mean", "number": True},
-        {"title": "the mean’s 95% interval"},
+        {"title": "the mean’s 95% interval", "interval": True},
+        {"title": "alpha median", "number": True, "hidden": True},
+        {"title": "the alpha median’s 95% interval", "interval": True, "hidden": True},
         {"title": "alpha p95", "number": True},
+        {"title": "the p95’s 95% interval", "interval": True, "hidden": True},
         {"title": "alpha max", "number": True},
         {"title": "optimal in %", "number": True},
+        {"title": "the share’s 95% interval", "interval": True, "hidden": True},
         {"title": "rated", "number": True},
         {"title": "median time in ms", "number": True},
-        {"title": "the median’s 95% interval"},
+        {"title": "the median’s 95% interval", "interval": True},
+        {"title": "time over Delaunay’s", "number": True},
+        {"title": "the ratio’s 95% interval", "interval": True, "hidden": True},
+        {"title": "memory in MiB", "number": True, "hidden": True},
         {"title": "runs", "number": True},
         {"title": "failed", "number": True},
+        {"title": "stopped early", "number": True},
+        {"title": "not applicable", "number": True, "hidden": True},
     ]
     rows = [
         [
@@ -66,14 +84,23 @@ def summary_table(results):
             cell["n"],
             number(cell["alpha_mean"]),
             interval(cell, "alpha_mean"),
+            number(cell["alpha_median"]),
+            interval(cell, "alpha_median"),
             number(cell["alpha_p95"]),
+            interval(cell, "alpha_p95"),
             number(cell["alpha_max"]),
             number(100 * cell["optimal_share"], 3),
+            interval(cell, "optimal_share", 100, 3),
             cell["rated_instances"],
             number(1e3 * cell["wall_time_median_s"], 3),
             interval(cell, "wall_time_median_s", 1e3, 3),
+            number(cell["time_over_delaunay_median"], 3),
+            interval(cell, "time_over_delaunay_median", 1, 3),
+            number(cell["peak_rss_median_bytes"] / MIB, 3),
             cell["runs"],
             cell["failures"],
+            cell["stopped_early"],
+            cell["not_applicable"],
         ]
         for _, cell in sorted_cells(results).iterrows()
     ]
@@ -82,21 +109,88 @@ def summary_table(results):
     return data_table("summary-data", "alpha and time by family, algorithm and n", *without_empty(columns, rows))
 
 
+MEASURES = {"wall_time_s": "time", "alpha": "alpha"}
+
+
+def growth_table(results):
+    """The power laws of exponents.csv; None if there are none. A constant series has no R²: there is no variance to explain."""
+    laws = results.exponents
+    if laws.empty:
+        return None
+    columns = [
+        {"title": "family", "filter": True},
+        {"title": "algorithm", "filter": True},
+        {"title": "of", "filter": True},
+        {"title": "exponent", "number": True},
+        {"title": "95% interval", "interval": True},
+        {"title": "R²", "number": True},
+        {"title": "a power law"},
+        {"title": "largest misfit", "number": True},
+        {"title": "smallest n", "number": True},
+        {"title": "largest n", "number": True},
+        {"title": "sizes", "number": True, "hidden": True},
+        {"title": "observations", "number": True, "hidden": True},
+        {"title": "factor", "number": True, "hidden": True},
+        {"title": "p of lack of fit", "number": True, "hidden": True},
+    ]
+    laws = laws.assign(family_rank=laws["family"].map(rank_of(results.families)), is_alpha=laws["measure"] == "alpha")
+    laws = laws.sort_values(["family_rank", "is_alpha", "exponent"], kind="stable")
+    rows = [
+        [
+            law["family"],
+            law["label"],
+            MEASURES[law["measure"]],
+            number(settled_zero(law["exponent"]), 3),
+            exponent_interval(law),
+            number(law["r_squared"], 4),
+            {"yes": "fits", "no": "a curve"}.get(law["fits"], ""),
+            number(law["max_misfit"], 3),
+            law["min_n"],
+            law["max_n"],
+            law["sizes"],
+            law["observations"],
+            number(law["factor"], 3),
+            number(law["lack_of_fit_p"], 2),
+        ]
+        for _, law in laws.iterrows()
+    ]
+    return data_table("growth-data", "growth of time and alpha with n", *without_empty(columns, rows))
+
+
+def settled_zero(exponent):
+    """0 for what differs from it by rounding only."""
+    return 0.0 if abs(exponent) < 5e-4 else exponent
+
+
+def exponent_interval(law):
+    low, high = law["exponent_lower"], law["exponent_upper"]
+    return "" if pd.isna(low) else f"{settled_zero(low):.3f} – {settled_zero(high):.3f}"
+
+
 def without_empty(columns, rows):
-    """The columns, and the rows' cells in them, that have a value anywhere."""
-    kept = [position for position in range(len(columns)) if any(row[position] not in ("", None) for row in rows)]
+    """The columns, and the rows' cells in them, that have a value anywhere; R² stays where every series is constant."""
+    kept = [
+        position
+        for position in range(len(columns))
+        if columns[position]["title"] == "R²" or any(row[position] not in ("", None) for row in rows)
+    ]
     return [columns[position] for position in kept], [[row[position] for position in kept] for row in rows]
+
+
+def project_file(results):
+    """Where a study of the project of this name would be."""
+    return pathlib.Path(__file__).parent.parent / STUDIES / f"{results.study['name']}.toml"
 
 
 def project_study(results):
     """Whether the study is one of the project's own, as they are now."""
-    path = pathlib.Path(__file__).parent.parent / STUDIES / f"{results.study['name']}.toml"
+    path = project_file(results)
     return path.is_file() and path.read_text(encoding="utf-8") == results.study_text
 
 
 def study_folder(results):
     """Where the study file is, for commands that are typed in the project's folder."""
-    return STUDIES if project_study(results) else "FOLDER_OF_THE_STUDY"
+    return STUDIES if project_study(results) else FOREIGN_FOLDER
 
 
 def instance_folder(results):
@@ -164,8 +258,16 @@ def parameter_cells(results, run):
     ]
 
 
-def command_templates():
+def command_options(results):
+    """{name of a program of one's own: what `mwt solve` needs to run it}."""
+    entries = [entry for entry in results.study.get("algorithms", []) if isinstance(entry, dict) and "command" in entry]
+    name = f"{results.study['name']}.toml" if project_study(results) else "STUDY.toml"
+    return {entry["name"]: f" --commands {study_folder(results)}/{name}" for entry in entries}
+
+
+def command_templates(results):
     return {
+        "algorithm_options": command_options(results),
         "templates": {
             "": GENERATE_COMMAND + SOLVE_COMMAND,
             "file": SOLVE_COMMAND.replace("points.csv", "{family parameters}"),
@@ -185,7 +287,7 @@ def failures_table(results):
         [*run_cells(results, run), run.message or run.checker, *parameter_cells(results, run)]
         for run in failed.itertuples()
     ]
-    return data_table("failures-data", "failed runs", *without_empty(columns, rows), **command_templates())
+    return data_table("failures-data", "failed runs", *without_empty(columns, rows), **command_templates(results))
 
 
 def ranges(positions):
@@ -220,7 +322,12 @@ def runs_table(results, claim_rows):
         {"title": "alpha at most", "number": True},
         {"title": "optimal"},
         {"title": "weight", "number": True},
+        {"title": "CPU time in ms", "number": True, "hidden": True},
+        {"title": "memory in MiB", "number": True, "hidden": True},
+        {"title": "time over Delaunay’s", "number": True, "hidden": True},
         *parameter_columns(),
+        {"title": "variant", "hidden": True},
+        {"title": "points", "hidden": True},
         {"title": "repetition", "number": True},
         {"title": "run"},
     ]
@@ -232,11 +339,16 @@ def runs_table(results, claim_rows):
             number(run.alpha_upper, 8),
             run.optimal,
             number(run.weight_upper, 12),
+            number(1e3 * run.cpu_time_s, 3),
+            number(run.peak_rss_bytes / MIB, 3),
+            number(run.wall_time_s / run.delaunay_time_s, 3),
             *parameter_cells(results, run),
+            run.label,
+            run.family,
             run.repetition,
             run.run_id,
         ]
         for run in runs.itertuples()
     ]
-    more = claim_sets(runs, claim_rows) | command_templates()
+    more = claim_sets(runs, claim_rows) | command_templates(results)
     return data_table("runs-data", "all runs", *without_empty(columns, rows), **more)

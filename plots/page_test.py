@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
@@ -75,6 +76,22 @@ class PageTest(PageTestCase):
             self.value("[...document.querySelectorAll('figure svg')].every((svg) => svg.getAttribute('aria-label'))")
         )
 
+    def test_recorded_steps_are_played(self):
+        self.assertEqual(self.value("document.activeElement.tagName"), "BODY", "it takes no focus before it is opened")
+        self.value("document.getElementById('tour').click()")
+        self.value("document.querySelector('iframe.tour').scrollIntoView()")
+        inside = "document.querySelector('iframe.tour').contentDocument"
+        end = time.monotonic() + 20
+        while not self.value(f"{inside}.querySelectorAll('#example option').length") and time.monotonic() < end:
+            time.sleep(0.05)
+        self.assertEqual(self.value(f"{inside}.querySelectorAll('#example option').length"), 6)
+        self.assertIn("greedy_naive", self.value(f"{inside}.getElementById('command').textContent"))
+        self.value("document.getElementById('theme').click()")
+        self.assertEqual(self.value(f"{inside}.documentElement.dataset.theme"), "dark")
+        for width in (390, 768, 1440):
+            self.browser.show_as(width, 900, dark=False)
+            self.assertLessEqual(self.value(f"{inside}.documentElement.scrollWidth"), width)
+
     def test_ids_are_unique(self):
         self.assertEqual(
             self.value(
@@ -86,7 +103,8 @@ class PageTest(PageTestCase):
 
     def test_what_is_proved_is_a_matrix(self):
         rows = self.texts("#optima tr th[scope=row]")
-        self.assertEqual(rows[:3], ["circle", "greedy_corridor", "uniform"])
+        self.assertEqual(rows[:3], ["uniform", "greedy_corridor", "circle"], "the usual first, the others by the largest alpha")
+        self.assertEqual(self.texts("#optima table:first-of-type th[scope=col]")[:3], ["family", "100", "50"])
         self.assertIn("report_example", rows[3:])
         cells = self.texts("#optima td:not(:empty)")
         statuses = self.texts("#optima .status")
@@ -173,6 +191,9 @@ class PageTest(PageTestCase):
     def test_nothing_is_cut_off(self):
         for width in (360, 390, 768, 1440):
             self.assert_fits(width)
+
+    def test_axe_finds_no_violation(self):
+        self.assert_accessible()
 
 
 if __name__ == "__main__":

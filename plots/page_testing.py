@@ -6,6 +6,7 @@ without Chromium or Selenium.
 import pathlib
 import subprocess
 import sys
+import time
 import unittest
 
 import browser
@@ -16,6 +17,8 @@ else:  # main() skips the tests
     Keys = None
 
 SKIPPED = 77
+AXE = pathlib.Path(__file__).resolve().parents[1] / "setup/axe/node_modules/axe-core/axe.min.js"
+AXE_PATIENCE_S = 120
 
 
 def run(*command):
@@ -59,6 +62,27 @@ class PageTestCase(unittest.TestCase):
         )
         self.assertGreater(len(panels), 1)
         self.assertGreater(min(panels), 0)
+
+    def assert_accessible(self, widths=(390, 768, 1440)):
+        """axe-core finds no violation, light and dark, with everything unfolded; the insides of figures, which have names, are left out."""
+        if not AXE.is_file():
+            self.skipTest("axe-core is not installed: setup/ensure_axe.sh")
+        for dark in (False, True):
+            for width in widths:
+                self.browser.show_as(width, 900, dark)
+                self.browser.open(self.page)
+                self.value("document.querySelectorAll('details').forEach((one) => { one.open = true; })")
+                self.value("document.querySelectorAll('figure svg').forEach((one) => one.replaceChildren())")
+                self.browser.run(AXE.read_text(encoding="utf-8"))
+                self.browser.run("axe.run({ iframes: false, resultTypes: ['violations'] }).then((found) => { window.axeFound = found.violations; })")
+                end = time.monotonic() + AXE_PATIENCE_S
+                while not self.value("Boolean(window.axeFound)"):
+                    self.assertLess(time.monotonic(), end, "axe-core does not end")
+                    time.sleep(0.05)
+                found = self.value(
+                    "window.axeFound.map((one) => `${one.id}: ${one.nodes.slice(0, 5).map((node) => node.html.slice(0, 200)).join(' | ')}`)"
+                )
+                self.assertEqual(found, [], f"{width} pixels, dark: {dark}")
 
     def assert_fits(self, width):
         """Nothing sticks out sideways or is cut off on a screen of this width; tables scroll in a frame of their own."""

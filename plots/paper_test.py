@@ -100,7 +100,9 @@ class Statistics(unittest.TestCase):
         cls.results = pathlib.Path(cls.temporary.name) / "results"
         run(program, "run", pathlib.Path(__file__).parent / "testdata" / "paper_test.toml", "--out", cls.results)
         cls.outputs = {}
-        for name, options in {"all": [], "uniform": ["--families", "uniform"]}.items():
+        choice = pathlib.Path(cls.temporary.name) / "choice.toml"
+        choice.write_text('families = ["clustered"]\nsizes = [20, 40, 60]\n')
+        for name, options in {"all": [], "uniform": ["--choice", choice, "--families", "uniform"]}.items():
             out = pathlib.Path(cls.temporary.name) / name
             cls.outputs[name] = run(program, "report", cls.results, "--paper", out, *options)
         cls.papers = [Paper(pathlib.Path(cls.temporary.name) / name) for name in cls.outputs]

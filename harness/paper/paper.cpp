@@ -137,15 +137,19 @@ bool has_rows(const std::map<std::string, CsvRows>& all, const std::string& name
 
 constexpr const char* kPreamble = R"(\documentclass[a4paper,10pt]{article}
 \usepackage[utf8]{inputenc}
-\usepackage[margin=2cm]{geometry}
+\usepackage[margin=1.9cm,top=1.2cm,bottom=1.5cm,footskip=0.7cm]{geometry}
 \usepackage{booktabs,graphicx,pgf}
 % A figure as PGF, in the fonts of this document; without it as PDF.
 \newcommand{\mwtfigure}[1]{\IfFileExists{figures/#1.pgf}{\input{figures/#1.pgf}}{%
   \IfFileExists{figures/#1.pdf}{\includegraphics{figures/#1.pdf}}{\fbox{figures/#1 is not drawn, see README.md}}}}
 \renewcommand{\topfraction}{0.95}\renewcommand{\bottomfraction}{0.95}\renewcommand{\floatpagefraction}{0.8}
 \renewcommand{\textfraction}{0.02}\setcounter{topnumber}{6}\setcounter{bottomnumber}{6}\setcounter{totalnumber}{9}
-\setlength{\intextsep}{8pt}
-\setlength{\textfloatsep}{8pt}\setlength{\floatsep}{8pt}\setlength{\abovecaptionskip}{4pt}
+\setlength{\intextsep}{5pt}
+\setlength{\textfloatsep}{5pt}\setlength{\floatsep}{5pt}\setlength{\abovecaptionskip}{3pt}\setlength{\belowcaptionskip}{2pt}
+\makeatletter
+\setlength{\@fptop}{0pt}\setlength{\@fpsep}{8pt plus 1fil}
+\renewcommand{\@makecaption}[2]{\vskip\abovecaptionskip{\footnotesize #1: #2\par}\vskip\belowcaptionskip}
+\makeatother
 \pagestyle{plain}
 \begin{document}
 )";
@@ -179,7 +183,7 @@ struct OptionalTables {
 std::string document(const PaperData& data, const std::vector<PaperFigure>& figures, OptionalTables has,
                      const std::string& command) {
   std::string text = "% Made by: " + one_line(command) + "\n" + kPreamble;
-  text += "\\section*{Study \\emph{" + latex_text(data.study) + "}}\n\n";
+  text += "\\noindent\\textbf{Study \\emph{" + latex_text(data.study) + "}}\n\n";
   if (has.quality) text += table_environment("quality", quality_caption(data));
   text +=
       table_environment("time",

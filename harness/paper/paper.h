@@ -19,8 +19,4 @@ namespace mwt {
 [[nodiscard]] std::vector<std::string> write_paper(const ReportData& report, const PaperSelection& selection,
                                                    const std::string& folder, const std::string& command);
 
-/// Draws the figures by plots/draw_paper.py, beside the sources that this program was built from or moved with. Returns
-/// an empty text, or why there are none now, with the remedy.
-[[nodiscard]] std::string draw_paper_figures(const std::string& folder);
-
 }  // namespace mwt

@@ -109,7 +109,7 @@ void add_line(CsvRows& rows, const CsvRow& name, const Growth& growth, const std
     CsvRow row = name;
     row.insert(row.end(), {number_text(places[i]), number_text(band[i].value), end(band[i].lower), end(band[i].upper),
                            number_text(law.exponent.value), end(law.exponent.lower), end(law.exponent.upper),
-                           number_text(law.r_squared), fits});
+                           law.r_squared ? number_text(*law.r_squared) : "", fits});
     rows.push_back(row);
   }
 }

@@ -199,7 +199,7 @@ std::vector<std::string> law_cells(const std::optional<Growth>& growth) {
   const std::string mark = growth->fit() == Fit::no ? "$^\\sim$" : "";
   const std::string interval =
       growth->law.has_interval ? fixed_text(exponent.lower) + " to " + fixed_text(exponent.upper) : "--";
-  return {fixed_text(exponent.value) + mark, interval, fixed(growth->law.r_squared, 3)};
+  return {fixed_text(exponent.value) + mark, interval, growth->law.r_squared ? fixed(*growth->law.r_squared, 3) : "--"};
 }
 
 CsvRow law_csv(const std::string& measure, const std::string& family, const std::string& label, const Growth& growth) {
@@ -215,7 +215,7 @@ CsvRow law_csv(const std::string& measure, const std::string& family, const std:
           number_text(exponent.value),
           end(exponent.lower),
           end(exponent.upper),
-          number_text(growth.law.r_squared),
+          growth.law.r_squared ? number_text(*growth.law.r_squared) : "",
           fits};
 }
 

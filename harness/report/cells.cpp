@@ -43,7 +43,9 @@ struct Collected {
     }
     ++cell.runs;
     if (is_failure(run.status)) ++cell.failures;
-    if (run.status == RunStatus::ok) by_seed[run.seed].add(run);
+    if (run.status != RunStatus::ok) return;
+    if (run.stopped_early.value_or(false)) ++cell.stopped_early;
+    by_seed[run.seed].add(run);
   }
 
   [[nodiscard]] Cell finished() const {

@@ -34,6 +34,7 @@ struct Cell {
   std::size_t runs = 0;  ///< without those that are not applicable
   std::size_t failures = 0;
   std::size_t not_applicable = 0;
+  std::size_t stopped_early = 0;       ///< runs that are ok, but did less than their algorithm does in more time
   std::size_t instances = 0;           ///< with at least one run that is ok
   std::vector<double> times;           ///< observations, s
   std::vector<double> over_delaunay;   ///< observations: time over the Delaunay time's, where that was measured

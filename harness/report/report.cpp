@@ -9,6 +9,7 @@
 #include "harness/report/failures.h"
 #include "harness/report/growth_laws.h"
 #include "harness/report/machines.h"
+#include "harness/report/observations.h"
 #include "harness/report/optima.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
@@ -46,6 +47,11 @@ void print_algorithms(const ReportData& data, std::ostream& out) {
 
 void write_summary(const ReportData& data, std::ostream& out) {
   write(data, "summary.csv", summary_csv(data.records.runs.front().study, data.summaries, data.labels), out);
+}
+
+void write_observations(const ReportData& data, std::ostream& out) {
+  const std::vector<Observation> observations = observations_of(data.records.runs);
+  write(data, "observations.csv", observations_csv(data.records.runs.front().study, observations, data.labels), out);
 }
 
 void write_exponents(const ReportData& data, std::ostream& out) {
@@ -109,8 +115,8 @@ std::vector<ReportPart> report_tables() {
 }
 
 std::vector<ReportPart> report_results() {
-  return {print_warnings, print_optimum_summary, write_summary,      write_exponents,
-          write_optima,   write_ratings,         judge_source_report};
+  return {print_warnings,  print_optimum_summary, write_summary, write_observations,
+          write_exponents, write_optima,          write_ratings, judge_source_report};
 }
 
 }  // namespace mwt

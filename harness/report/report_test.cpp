@@ -12,6 +12,7 @@
 #include "harness/records/known_optima.h"
 #include "harness/report/failures.h"
 #include "harness/report/machines.h"
+#include "harness/report/side_by_side.h"
 #include "harness/report/summary_files.h"
 #include "harness/report/tables.h"
 
@@ -129,9 +130,10 @@ TEST(Growth, FindsTheExponents) {
   ASSERT_EQ(growth.size(), 1u) << "two sizes make no law";
   EXPECT_EQ(growth[0].series.algorithm, "sweep");
   EXPECT_NEAR(growth[0].time->law.exponent.value, 1.5, 1e-9);
-  EXPECT_NEAR(growth[0].time->law.r_squared, 1, 1e-9);
+  EXPECT_NEAR(growth[0].time->law.r_squared.value(), 1, 1e-9);
   EXPECT_NEAR(std::exp(growth[0].time->law.log_factor.value), 3e-9, 1e-15);
   EXPECT_NEAR(growth[0].alpha->law.exponent.value, 0, 1e-12);
+  EXPECT_FALSE(growth[0].alpha->law.r_squared);
   EXPECT_EQ(growth[0].time->sizes, 4u);
   EXPECT_EQ(growth[0].time->observations, 20u);
   EXPECT_EQ(growth[0].time->max_n, 10000u);
@@ -192,7 +194,7 @@ TEST(Labels, TheUsualConfigurationKeepsTheBareName) {
   EXPECT_EQ(Labels(cells).algorithm(cells[0].key), "flip");
   EXPECT_EQ(Labels(cells).algorithm(cells[1].key), "flip start=y");
   const CsvRow row = parse_csv(summary_csv("s", summarise(cells), Labels(cells))).back();
-  EXPECT_EQ((CsvRow{row.end() - 2, row.end()}), (CsvRow{"flip start=y", "uniform"}));
+  EXPECT_EQ((CsvRow{row.end() - 3, row.end() - 1}), (CsvRow{"flip start=y", "uniform"}));
 }
 
 TEST(Labels, EquallyUsualConfigurationsAllStateTheirParameters) {
@@ -261,6 +263,9 @@ TEST(SummaryFiles, TheSchemaPageListsExactlyTheColumnsInTheirOrder) {
   EXPECT_EQ(parse_csv(summary_csv("s", {}, Labels({}))).front(), documented_columns("summary.csv"));
   EXPECT_EQ(parse_csv(exponents_csv("s", {}, Labels({}))).front(), documented_columns("exponents.csv"));
   EXPECT_EQ(parse_csv(ratings_csv("s", {})).front(), documented_columns("ratings.csv"));
+  EXPECT_EQ(parse_csv(observations_csv("s", {}, Labels({}))).front(), documented_columns("observations.csv"));
+  const SideBySide nothing{nullptr, nullptr, Labels({}), {}, {}, {}};
+  EXPECT_EQ(parse_csv(side_by_side_cells_csv(nothing)).front(), documented_columns("cells.csv"));
 }
 
 TEST(SummaryFiles, RowsHaveTheValues) {
@@ -275,7 +280,27 @@ TEST(SummaryFiles, RowsHaveTheValues) {
   runs.front().run_id = "r";
   const std::vector<CsvRow> ratings = parse_csv(ratings_csv("s", runs));
   ASSERT_EQ(ratings.size(), 2u) << "of runs that are ok";
-  EXPECT_EQ((CsvRow{ratings[1].begin() + 2, ratings[1].end()}), (CsvRow{"r", "proved", "1.25", "1.25", "no"}));
+  EXPECT_EQ((CsvRow{ratings[1].begin() + 2, ratings[1].end()}), (CsvRow{"r", "proved", "1.25", "1.25", "no", "1"}));
+}
+
+TEST(Observations, AreMediansOverTheRepetitionsOnAnInstance) {
+  std::vector<RunRecord> runs = {ok_run("sweep", 10, 2, 5, 3), ok_run("sweep", 10, 1, 1, 2),
+                                 ok_run("sweep", 10, 1, 3, 2), ok_run("sweep", 10, 1, 8, 2),
+                                 failed_run("sweep", RunStatus::not_applicable)};
+  runs[0].stopped_early = true;
+  runs.push_back(failed_run("sweep", RunStatus::timeout));
+  runs.back().seed = 1;
+  const std::vector<Observation> observations = observations_of(runs);
+  ASSERT_EQ(observations.size(), 2u);
+  EXPECT_EQ(observations[0].seed, 1u);
+  EXPECT_EQ(observations[0].runs, 4u);
+  EXPECT_EQ(observations[0].failures, 1u);
+  EXPECT_EQ(observations[0].time_s, 3);
+  EXPECT_EQ(observations[0].alpha_upper, 2);
+  EXPECT_EQ(observations[1].stopped_early, 1u);
+  const std::vector<CsvRow> rows = parse_csv(observations_csv("s", observations, Labels(cells_of(runs))));
+  EXPECT_EQ((CsvRow{rows.at(2).end() - 3, rows.at(2).end()}), (CsvRow{"3", "sweep", "uniform"}));
+  EXPECT_EQ(parse_csv(summary_csv("s", summarise(cells_of(runs)), Labels(cells_of(runs)))).at(1).back(), "1");
 }
 
 TEST(Report, EveryPartWorksOnAStudysFolder) {

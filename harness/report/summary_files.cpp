@@ -90,6 +90,32 @@ Columns<CellSummary> summary_columns(const Labels& labels) {
   columns.emplace_back("optimal_share_upper",
                        [](const Row& row) { return row.optimal_range ? number_text(row.optimal_range->upper) : ""; });
   add_labels(columns, labels, key_of_cell);
+  columns.emplace_back("stopped_early", count(&Cell::stopped_early));
+  return columns;
+}
+
+const CellKey& key_of_observation(const Observation& observation) { return observation.key; }
+
+Columns<Observation> observation_columns(const Labels& labels) {
+  using Row = Observation;
+  const auto count = [](std::size_t Row::*member) {
+    return [member](const Row& row) { return std::to_string(row.*member); };
+  };
+  const auto measure = [](std::optional<double> Row::*member) {
+    return [member](const Row& row) { return text_of(row.*member); };
+  };
+  Columns<Row> columns = key_columns<Row>(key_of_observation);
+  columns.emplace_back("n", [](const Row& row) { return std::to_string(row.key.n); });
+  columns.emplace_back("seed", [](const Row& row) { return std::to_string(row.seed); });
+  columns.emplace_back("instance_id", [](const Row& row) { return row.instance_id; });
+  columns.emplace_back("runs", count(&Row::runs));
+  columns.emplace_back("failures", count(&Row::failures));
+  columns.emplace_back("stopped_early", count(&Row::stopped_early));
+  columns.emplace_back("wall_time_s", measure(&Row::time_s));
+  columns.emplace_back("peak_rss_bytes", measure(&Row::peak_rss_bytes));
+  columns.emplace_back("alpha_lower", measure(&Row::alpha_lower));
+  columns.emplace_back("alpha_upper", measure(&Row::alpha_upper));
+  add_labels(columns, labels, key_of_observation);
   return columns;
 }
 
@@ -123,7 +149,7 @@ Columns<FittedMeasure> growth_columns(const Labels& labels) {
   columns.emplace_back("exponent_lower", end_of_interval(&Estimate::lower));
   columns.emplace_back("exponent_upper", end_of_interval(&Estimate::upper));
   columns.emplace_back("factor", [](const Row& row) { return number_text(std::exp(row.growth.law.log_factor.value)); });
-  columns.emplace_back("r_squared", [](const Row& row) { return number_text(row.growth.law.r_squared); });
+  columns.emplace_back("r_squared", [](const Row& row) { return text_of(row.growth.law.r_squared); });
   columns.emplace_back("lack_of_fit_p", [](const Row& row) { return text_of(row.growth.lack_of_fit.p_value); });
   columns.emplace_back("max_misfit", [](const Row& row) { return number_text(row.growth.lack_of_fit.max_misfit); });
   columns.emplace_back("fits", [](const Row& row) -> std::string {
@@ -138,6 +164,11 @@ Columns<FittedMeasure> growth_columns(const Labels& labels) {
 
 std::string summary_csv(const std::string& study, const std::vector<CellSummary>& cells, const Labels& labels) {
   return csv_table(study, summary_columns(labels), cells);
+}
+
+std::string observations_csv(const std::string& study, const std::vector<Observation>& observations,
+                             const Labels& labels) {
+  return csv_table(study, observation_columns(labels), observations);
 }
 
 std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth, const Labels& labels) {
@@ -182,6 +213,7 @@ std::string ratings_csv(const std::string& study, const std::vector<RunRecord>& 
   columns.emplace_back("alpha_lower", [](const RunRecord& run) { return text_of(run.alpha_lower); });
   columns.emplace_back("alpha_upper", [](const RunRecord& run) { return text_of(run.alpha_upper); });
   columns.emplace_back("optimal", [](const RunRecord& run) { return run.optimal; });
+  columns.emplace_back("is_timed", [](const RunRecord& run) -> std::string { return run.wall_time_s ? "1" : "0"; });
   std::vector<RunRecord> rated = runs;
   std::erase_if(rated, [](const RunRecord& run) { return run.status != RunStatus::ok; });
   return csv_table(study, columns, rated);

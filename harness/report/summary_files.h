@@ -1,5 +1,5 @@
-// summary.csv, exponents.csv, optima.csv and ratings.csv: the figures of a report, for programs. results/README.md
-// explains every column.
+// summary.csv, observations.csv, exponents.csv, optima.csv and ratings.csv: the figures of a report, for programs.
+// results/README.md explains every column.
 #pragma once
 
 #include <string>
@@ -8,6 +8,7 @@
 #include "harness/report/cell_summary.h"
 #include "harness/report/growth.h"
 #include "harness/report/labels.h"
+#include "harness/report/observations.h"
 #include "harness/report/optima.h"
 
 namespace mwt {
@@ -15,6 +16,10 @@ namespace mwt {
 /// The content of summary.csv: one row per cell.
 [[nodiscard]] std::string summary_csv(const std::string& study, const std::vector<CellSummary>& cells,
                                       const Labels& labels);
+
+/// The content of observations.csv: one row per algorithm and instance.
+[[nodiscard]] std::string observations_csv(const std::string& study, const std::vector<Observation>& observations,
+                                           const Labels& labels);
 
 /// The content of exponents.csv: one row per series and measure that has a law.
 [[nodiscard]] std::string exponents_csv(const std::string& study, const std::vector<SeriesGrowth>& growth,

@@ -136,8 +136,8 @@ std::vector<std::string> growth_cells(const std::optional<Growth>& growth) {
   const PowerLaw& law = growth->law;
   return {fmt::format("{} .. {}", growth->min_n, growth->max_n),
           fixed(without_sign_of_zero(law.exponent.value), kExponentDigits),
-          law.has_interval ? range(law.exponent, kExponentDigits) : kNothing, fixed(law.r_squared, kExponentDigits),
-          fit_text(*growth)};
+          law.has_interval ? range(law.exponent, kExponentDigits) : kNothing,
+          law.r_squared ? fixed(*law.r_squared, kExponentDigits) : kNothing, fit_text(*growth)};
 }
 
 }  // namespace

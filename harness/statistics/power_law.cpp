@@ -34,9 +34,11 @@ Design design_of(std::span<const Measurement> measurements, std::span<const std:
 
 Line least_squares(const Design& design) { return design.matrix.colPivHouseholderQr().solve(design.log_y); }
 
-double explained_share(const Design& design, const Line& line) {
+constexpr double kConstant = 1e-11;  // of the logarithms
+
+std::optional<double> explained_share(const Design& design, const Line& line) {
+  if (design.log_y.maxCoeff() - design.log_y.minCoeff() <= kConstant) return std::nullopt;
   const double all = (design.log_y.array() - design.log_y.mean()).matrix().squaredNorm();
-  if (all == 0) return 1;
   return 1 - (design.log_y - design.matrix * line).squaredNorm() / all;
 }
 

@@ -15,10 +15,10 @@ struct Measurement {
 };
 
 struct PowerLaw {
-  Estimate exponent;          ///< the line's slope
-  Estimate log_factor;        ///< natural logarithm of c, the line's height at n = 1
-  double r_squared = 0;       ///< share of the variance of log y that the line explains; 1 if y never varies
-  bool has_interval = false;  ///< false: every n was measured once, so the noise is unknown; ends = value
+  Estimate exponent;                ///< the line's slope
+  Estimate log_factor;              ///< natural logarithm of c, the line's height at n = 1
+  std::optional<double> r_squared;  ///< share of the variance of log y that the line explains; none if y is constant
+  bool has_interval = false;        ///< false: every n was measured once, so the noise is unknown; ends = value
 };
 
 /// The least-squares line through (log n, log y), every measurement weighing the same, solved by a QR decomposition.
@@ -26,6 +26,8 @@ struct PowerLaw {
 /// The intervals are percentile bootstrap intervals over the measurements of each n by itself (a stratified bootstrap):
 /// they show how the noise at the given sizes moves the line, not whether a line is the right curve. A size that was
 /// measured once contributes no noise, and where all were, has_interval is false.
+///
+/// y is constant if it varies by no more than 1e-11 of itself, which certified intervals are wide.
 ///
 /// Nothing with fewer than two distinct n: there is no line then.
 /// Precondition: every n and y positive and finite; std::invalid_argument otherwise.

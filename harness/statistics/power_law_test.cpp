@@ -17,7 +17,7 @@ TEST(PowerLaw, ExactPowersComeBack) {
   ASSERT_TRUE(law);
   EXPECT_NEAR(law->exponent.value, 3, 1e-12);
   EXPECT_NEAR(std::exp(law->log_factor.value), 5, 1e-9);
-  EXPECT_NEAR(law->r_squared, 1, 1e-12);
+  EXPECT_NEAR(law->r_squared.value(), 1, 1e-12);
 }
 
 // The normal equations solved by hand: logarithms (0, 0), (1, 1), (2, 1) have the line 1/6 + x/2, r^2 = 3/4.
@@ -27,14 +27,21 @@ TEST(PowerLaw, ClosedFormOfThreePoints) {
   ASSERT_TRUE(law);
   EXPECT_NEAR(law->exponent.value, 0.5, 1e-12);
   EXPECT_NEAR(law->log_factor.value, 1.0 / 6, 1e-12);
-  EXPECT_NEAR(law->r_squared, 0.75, 1e-12);
+  EXPECT_NEAR(law->r_squared.value(), 0.75, 1e-12);
 }
 
 TEST(PowerLaw, AConstantHasExponentZero) {
   const auto law = fit_power_law(std::vector<Measurement>{{10, 7}, {20, 7}, {40, 7}});
   ASSERT_TRUE(law);
   EXPECT_NEAR(law->exponent.value, 0, 1e-12);
-  EXPECT_EQ(law->r_squared, 1);
+  EXPECT_FALSE(law->r_squared) << "there is no variance to explain";
+}
+
+TEST(PowerLaw, RoundingIsNoVariance) {
+  const std::vector<Measurement> rounded = {{10, 1}, {20, 1 + 1e-13}, {40, 1}, {80, 1 + 1e-12}};
+  EXPECT_FALSE(fit_power_law(rounded)->r_squared);
+  const std::vector<Measurement> different = {{10, 1}, {20, 1 + 1e-9}, {40, 1}, {80, 1 + 1e-8}};
+  EXPECT_TRUE(fit_power_law(different)->r_squared);
 }
 
 TEST(PowerLaw, NeedsTwoDistinctSizes) {

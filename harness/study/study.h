@@ -76,6 +76,17 @@ struct Study {
 /// Throws InputError as read_study(), and if the file has none.
 [[nodiscard]] std::vector<StudyCommand> read_commands(const std::optional<std::string>& study_file);
 
+/// What a file chooses of a study's results; a list that it lacks is empty.
+struct ResultChoice {
+  std::vector<std::string> families;
+  std::vector<Index> sizes;
+  std::vector<std::string> algorithms;
+};
+
+/// Reads the lists `families`, `sizes` and `algorithms` of a TOML file, at least one of them. Throws InputError as
+/// read_study().
+[[nodiscard]] ResultChoice read_result_choice(const std::string& path);
+
 /// The algorithm of that name: of the commands, else of the catalogue. Throws InputError as Catalogue::algorithm().
 [[nodiscard]] const AlgorithmInfo& algorithm_named(const std::string& name, const std::vector<StudyCommand>& commands,
                                                    const Catalogue& catalogue);

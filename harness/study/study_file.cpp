@@ -419,6 +419,26 @@ std::vector<StudyCommand> read_commands(const std::optional<std::string>& study_
   }
 }
 
+ResultChoice read_result_choice(const std::string& path) {
+  try {
+    const toml::table root = toml::parse(read_file(path));
+    TableReader reader(path, root, "a choice of results");
+    ResultChoice choice;
+    const auto read_names = [&](const char* key, std::vector<std::string>& names) {
+      reader.for_each_element(key, [&](const toml::node& node) { names.push_back(reader.text_of(node, key)); });
+    };
+    read_names("families", choice.families);
+    choice.sizes = read_sizes(reader);
+    read_names("algorithms", choice.algorithms);
+    reader.refuse_unknown_keys();
+    if (root.empty())
+      throw InputError(path + ": chooses nothing; it needs one of the keys families, sizes, algorithms");
+    return choice;
+  } catch (const toml::parse_error& error) {
+    throw InputError(place_of(path, error.source()) + ": not valid TOML: " + one_line(error.description()));
+  }
+}
+
 const AlgorithmInfo& algorithm_named(const std::string& name, const std::vector<StudyCommand>& commands,
                                      const Catalogue& catalogue) {
   const auto found = std::ranges::find_if(commands, [&](const StudyCommand& one) { return one.info.name == name; });

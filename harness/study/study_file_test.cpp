@@ -162,6 +162,20 @@ TEST(StudyFile, AnotherFolderOfInstancesCanBeNamed) {
   EXPECT_THROW(static_cast<void>(read_study(folder.path("s.toml"), "elsewhere")), InputError);
 }
 
+TEST(ResultChoice, IsListsOfNamesAndSizes) {
+  const testing::TestFolder folder;
+  const std::string path = folder.path("choice.toml");
+  testing::write_text(path, "families = [\"uniform\"]\nsizes = [20, 50]\n");
+  const ResultChoice choice = read_result_choice(path);
+  EXPECT_EQ(choice.families, std::vector<std::string>{"uniform"});
+  EXPECT_EQ(choice.sizes, (std::vector<Index>{20, 50}));
+  EXPECT_TRUE(choice.algorithms.empty());
+  for (const char* wrong : {"", "familes = [\"uniform\"]\n", "sizes = [\"20\"]\n", "families = \"uniform\"\n", "["}) {
+    testing::write_text(path, wrong);
+    EXPECT_THROW(static_cast<void>(read_result_choice(path)), InputError) << wrong;
+  }
+}
+
 TEST(FindStudy, KnowsTheProjectsStudiesAndTakesPaths) {
   const std::vector<std::string> names = study_names();
   EXPECT_NE(std::find(names.begin(), names.end(), "claims"), names.end());

@@ -32,6 +32,8 @@ class Chosen:
         self.trivial = [family for family in several if worst[family] <= OPTIMAL]
         self.families = shown[MOST_FAMILIES:] if further else shown[:MOST_FAMILIES]
         self.observations = observations[observations["family"].isin(self.families)]
+        cells = large_enough(results.rated_cells)
+        self.cells = cells[cells["family"].isin(self.families)]
         self.optimal = always_optimal(self.observations)
         present = set(self.observations["label"])
         self.labels = [label for label in results.labels if label in present - self.optimal]
@@ -40,12 +42,12 @@ class Chosen:
 
 def draw_family(axes, cells, chosen, styles):
     lowest = 10.0**LOWEST_DECADE
-    excess = (cells["alpha_upper"] - 1).clip(lower=lowest)
-    by_cell = excess.groupby([cells["label"], cells["n"]]).agg(["mean", "max"])
-    labels = [label for label in chosen.equal if label in by_cell.index]
-    places = iter(side_by_side(axes, [mark for label in labels for mark in by_cell.loc[label]["mean"].items()]))
+    excess = (cells.set_index(["label", "n"])[["alpha_mean", "alpha_max"]] - 1).clip(lower=lowest).sort_index()
+    excess.columns = ["mean", "max"]
+    labels = [label for label in chosen.equal if label in excess.index]
+    places = iter(side_by_side(axes, [mark for label in labels for mark in excess.loc[label]["mean"].items()]))
     for label in labels:
-        own = by_cell.loc[label]
+        own = excess.loc[label]
         xs = [next(places)[0] for _ in own.index]
         look = styles[label]
         axes.plot(own.index, own["mean"], color=look["color"], linestyle=look["linestyle"], linewidth=0.9)
@@ -96,7 +98,7 @@ def draw(results, layout, further=False):
     for position, (axes, family) in enumerate(zip(panels, chosen.families)):
         if results.judges_claims:
             draw_band(axes, position == 0)
-        draw_family(axes, chosen.observations[chosen.observations["family"] == family], chosen, styles)
+        draw_family(axes, chosen.cells[chosen.cells["family"] == family], chosen, styles)
     legend(figure, panels, layout)
     return figure
 

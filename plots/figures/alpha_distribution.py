@@ -11,6 +11,7 @@ from library.style import INK, Styles
 
 LOWEST_DECADE = -6
 REPORTS_BAND = (0.1, 0.5)
+MOST_SHAPES = 5000  # more marks are a picture within the figure, so that a page of 100,000 runs opens quickly
 
 
 def observations_of(results):
@@ -38,11 +39,11 @@ def described(label, of_label):
     return f"{label}\n{sizes}: {counted(len(of_label), 'instance')}"
 
 
-def draw_row(axes, row, of_label, colour, half):
+def draw_row(axes, row, of_label, colour, half, as_picture):
     """`half` of its height, of the 1 that a row has."""
     excess = (of_label["alpha_upper"] - 1).clip(lower=10.0**LOWEST_DECADE)
     heights = row + 0.7 * half * row_positions(len(excess), row)
-    axes.scatter(excess, heights, s=9, color=colour, alpha=0.55, linewidth=0)
+    axes.scatter(excess, heights, s=9, color=colour, alpha=0.55, linewidth=0, rasterized=as_picture)
     axes.plot([excess.median()] * 2, [row - half, row + half], color=INK, linewidth=2)
 
 
@@ -75,7 +76,8 @@ def draw(results, layout):
     names = []
     for row, label in enumerate(labels):
         of_label = observations[observations["label"] == label]
-        draw_row(axes, row, of_label, styles.colour(label), 0.27 if layout.is_narrow else 0.4)
+        half = 0.27 if layout.is_narrow else 0.4
+        draw_row(axes, row, of_label, styles.colour(label), half, len(observations) > MOST_SHAPES)
         names.append(described(label, of_label))
     name_rows(axes, names, layout)
     axes.set_ylim(len(labels) - 0.4, -1.2 if results.judges_claims or layout.is_narrow else -0.7)

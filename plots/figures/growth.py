@@ -1,7 +1,7 @@
 """Families built against a heuristic: how alpha grows with n there."""
 import numpy as np
 
-from figures.panels import fold, grid, name_panel, side_by_side
+from figures.panels import coincident, fold, grid, name_panel, side_by_side
 from library.style import INK, Styles, report_first
 
 TITLE = "Where heuristics fail: growth of α"
@@ -82,14 +82,15 @@ def exponent_text(law):
 
 
 def draw_family(axes, of_family, styles, inches):
-    labels = report_first(of_family)
+    equal = coincident({label: [*of_family[label][0].index, *of_family[label][0]] for label in report_first(of_family)})
+    labels = list(equal)
     marks = [(n, value) for label in labels for n, value in of_family[label][0].items()]
     places = iter(side_by_side(axes, marks))
     for label in labels:
         alpha, law = of_family[label]
         axes.plot(*line(law), color=styles.colour(label), linewidth=1.1, linestyle=law.line_style)
         own = [next(places) for _ in alpha]
-        name = fold(f"{label} {exponent_text(law)}", inches, LEGEND_SIZE)
+        name = fold(f"{' = '.join([label, *equal[label]])} {exponent_text(law)}", inches, LEGEND_SIZE)
         axes.plot(*zip(*own), label=name, **styles.mark(label))
     n = np.geomspace(*axes.get_xlim(), 40)
     axes.plot(n, np.log(n) / np.log(n[0]), color=INK, linewidth=0.7, linestyle=":", zorder=1)
@@ -118,7 +119,7 @@ def caption(results):
     promise = ": the growth that the source report states for hull insertion" if results.judges_claims else ""
     return (
         "α against n, both logarithmic. A mark is the mean α over the instances with a proved optimum; marks that would hide"
-        " each other stand side by side. A line is the power law that mwt report fitted to all sizes (exponents.csv): α grows"
+        " each other stand side by side, and names joined by “=” have the same α at every n. A line is the power law that mwt report fitted to all sizes (exponents.csv): α grows"
         " like n to the power e, with the 95% interval in parentheses. A dashed line (≈) is the mean slope where the values do"
         " not follow a power law. Lines end where they would fall below 1, the least α. The figure shows families on which an"
         " algorithm’s exponent is larger than on most families, and there the algorithms whose exponent exceeds"

@@ -94,6 +94,18 @@ def are_equal(larger, smaller):
     return len(smaller) > 2 and bool(np.isclose(common, smaller, rtol=1e-9, atol=0).all())  # missing ones are not
 
 
+def coincident(series):
+    """{label: labels whose values are the same}, of {label: values}: of those that would hide each other, the first stands for all."""
+    groups = {}
+    for label, values in series.items():
+        same = next((first for first in groups if np.array_equal(series[first], values)), None)
+        if same is None:
+            groups[label] = []
+        else:
+            groups[same].append(label)
+    return groups
+
+
 def side_by_side(axes, marks):
     """Positions for marks (x, y) on logarithmic axes of final scale: those that would hide each other stand in a row around
     their x, no nearer to those at the next x than half way. y stays."""

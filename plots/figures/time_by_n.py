@@ -2,8 +2,7 @@
 import numpy as np
 from matplotlib.transforms import ScaledTranslation
 
-from figures.panels import fold, grid, set_time_ticks
-from library.records import CELL
+from figures.panels import coincident, fold, grid, set_time_ticks
 from library.style import Styles, legend_columns, name_of
 
 TITLE = "Running time by n"
@@ -15,13 +14,11 @@ LEGEND_ROW = 0.2  # inches: a power is higher than text
 
 
 def medians(results):
-    """{family: {label: median over instances by n}}, the families in their order."""
-    runs = results.finished[results.finished["wall_time_s"].notna()]
-    by_instance = runs.groupby([*CELL, "instance_id"])["wall_time_s"].median()
-    by_cell = by_instance.groupby(CELL).median()
+    """{family: {label: median over instances by n}} of summary.csv, the families in their order."""
+    cells = results.cells[results.cells["wall_time_median_s"].notna()].sort_values("n")
     found = {family: {} for family in results.families}
-    for (family, label), times in by_cell.groupby(level=["family", "label"]):
-        found[family][label] = times.droplevel(["family", "label"])
+    for (family, label), of_series in cells.groupby(["family", "label"]):
+        found[family][label] = of_series.set_index("n")["wall_time_median_s"]
     return found
 
 
@@ -45,6 +42,12 @@ def times_of(results):
         elif len(found[other].get(label, ())) > 1:
             times[f"{label} on {other}"] = found[other][label], law_of(results, other, label)
     return family, times
+
+
+def joined(times):
+    """The same with one entry, "a = b", for those whose times are all equal: they would hide each other."""
+    equal = coincident({label: [*of_label.index, *of_label] for label, (of_label, _) in times.items()})
+    return {" = ".join([label, *others]): times[label] for label, others in equal.items()}
 
 
 def law_of(results, family, label):
@@ -72,18 +75,25 @@ def draw_panel(axes, times, styles, inches):
         if law:
             ends = np.array([law.min_n, law.max_n], float)
             axes.plot(ends, law.at(ends), color=styles.colour(label), linewidth=1.1, linestyle=law.line_style)
-        name = fold(label, inches, LEGEND_SIZE) + exponent_text(law)
-        axes.plot(of_label.index, of_label, label=name, **styles.mark(label))
+        axes.plot(of_label.index, of_label, label=legend_name(label, law, inches), **styles.mark(label))
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlabel("points n")
     axes.minorticks_off()
 
 
-def legend_rows(labels, inches):
+def legend_name(label, law, inches):
+    """The label with the exponent, which is not broken."""
+    name, exponent = fold(label, inches, LEGEND_SIZE), exponent_text(law)
+    widest = max(map(len, name.split("\n"))) + len(exponent) - len("$^{}$")
+    is_wide = exponent and widest > 110 / LEGEND_SIZE * (inches + 0.7)
+    return f"{name}\n{exponent}" if is_wide else name + exponent
+
+
+def legend_rows(times, inches):
     """(columns, rows) of a legend below a panel."""
-    names = [fold(label, inches - 0.7, LEGEND_SIZE) for label in labels]
-    columns = min(4, legend_columns(inches, [f"{name}  n1.23 (1.23–1.23)" for name in names], LEGEND_SIZE))
+    names = [legend_name(label, law, inches - 0.7) for label, (_, law) in times.items()]
+    columns = min(4, legend_columns(inches, [name.replace("$", "") for name in names], LEGEND_SIZE))
     return columns, -(-len(names) // columns) + sum(name.count("\n") for name in names)
 
 
@@ -91,9 +101,12 @@ def draw(results, layout):
     _, times = times_of(results)
     if not times:
         return None
+    times = joined(times)
     panels = panels_of(results, list(times))
     layout = layout.divided(len(panels))
-    legends = [legend_rows(labels, layout.panel_width - 0.4) for labels in panels.values()]
+    legends = [
+        legend_rows({label: times[label] for label in labels}, layout.panel_width - 0.4) for labels in panels.values()
+    ]
     height = 3.4 + LEGEND_ROW * max(rows for _, rows in legends)
     figure, all_axes = grid(len(panels), layout, height, sharey=True)
     for axes, (title, labels), (of_legend, _) in zip(all_axes, panels.items(), legends):

@@ -1,7 +1,7 @@
 """Quality against time: excess over the optimum against running time, at the largest n that the study has in common."""
 import math
 
-from figures.panels import grid, large_enough, legend, name_panel, percent_ticks, set_time_ticks
+from figures.panels import coincident, grid, large_enough, legend, name_panel, percent_ticks, set_time_ticks
 from library.style import INK, Styles
 
 TITLE = "Quality against time"
@@ -19,9 +19,9 @@ def sizes_of(counts):
 
 
 def chosen(results):
-    """The panels: {n: [(family, observations of several algorithms), ...]}."""
-    observations = large_enough(results.observations)
-    counts = observations.groupby(["n", "family"])["label"].nunique()
+    """The panels: {n: [(family, cells of several algorithms), ...]}."""
+    cells = large_enough(results.rated_cells[results.rated_cells["wall_time_median_s"].notna()])
+    counts = cells.groupby(["n", "family"])["label"].nunique()
     counts = counts[counts > 1]
     if counts.empty:
         return {}
@@ -29,7 +29,7 @@ def chosen(results):
     sizes = sizes_of(counts.groupby("n").max())
     for n in sizes:
         families = [family for family in results.families if (n, family) in counts.index][: MOST_PANELS // len(sizes)]
-        of_n = observations[observations["n"] == n]
+        of_n = cells[cells["n"] == n]
         panels[n] = [(family, of_n[of_n["family"] == family]) for family in families]
     return panels
 
@@ -46,9 +46,9 @@ def front(points):
 
 
 def draw_panel(axes, cells, labels, styles):
-    medians = cells.groupby("label")[["wall_time_s", "alpha_upper"]].median()
+    medians = cells.set_index("label")[["wall_time_median_s", "alpha_median"]]
     points = [
-        (label, medians["wall_time_s"][label], max(medians["alpha_upper"][label] - 1, 10.0**LOWEST_DECADE))
+        (label, medians["wall_time_median_s"][label], max(medians["alpha_median"][label] - 1, 10.0**LOWEST_DECADE))
         for label in labels
         if label in medians.index
     ]
@@ -56,15 +56,18 @@ def draw_panel(axes, cells, labels, styles):
     axes.step(
         [time for _, time, _ in steps], [excess for _, _, excess in steps], where="post", color=INK, linewidth=0.8
     )
+    equal = coincident({label: place for label, *place in points})
     for label, time, excess in points:
-        axes.plot(time, excess, label=label, clip_on=False, markersize=7, **styles.mark(label))
+        if label in equal:
+            name = " = ".join([label, *equal[label]])
+            axes.plot(time, excess, label=name, clip_on=False, markersize=7, **styles.mark(label))
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.minorticks_off()
 
 
 def rows_of(panels, columns):
-    """(n, family, observations) row by row, every n in rows of its own; None fills them up."""
+    """(n, family, cells) row by row, every n in rows of its own; None fills them up."""
     cells = []
     for n, of_n in panels.items():
         cells += [(n, *panel) for panel in of_n] + [None] * (-len(of_n) % columns)
@@ -75,7 +78,7 @@ def draw(results, layout):
     panels = chosen(results)
     if not panels:
         return None
-    present = {label for of_n in panels.values() for _, observations in of_n for label in observations["label"]}
+    present = {label for of_n in panels.values() for _, of_family in of_n for label in of_family["label"]}
     labels = [label for label in results.labels if label in present]
     styles = Styles(labels)
     cells = rows_of(panels, min(layout.columns, max(map(len, panels.values()))))
@@ -83,12 +86,12 @@ def draw(results, layout):
     for axes, cell in zip(all_axes, cells):
         axes.set_visible(cell is not None)
         if cell is not None:
-            n, family, observations = cell
-            draw_panel(axes, observations, labels, styles)
+            n, family, of_family = cell
+            draw_panel(axes, of_family, labels, styles)
             name_panel(axes, f"{family}, n = {n:,}", layout)
             axes.set_xlabel("wall time")
             set_time_ticks(axes.xaxis, most=4)
-    worst = max(observations["alpha_upper"].max() for of_n in panels.values() for _, observations in of_n)
+    worst = max(of_family["alpha_median"].max() for of_n in panels.values() for _, of_family in of_n)
     ticks, texts = percent_ticks(LOWEST_DECADE, max(-2, math.ceil(math.log10(max(worst - 1, 1e-9)))))
     all_axes[0].set_ylim(ticks[0] / 1.6, ticks[-1] * 1.2)
     all_axes[0].set_yticks(ticks, texts)

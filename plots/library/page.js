@@ -2,13 +2,44 @@
 // Tables that sort and filter, for any page made with html_page.py.
 //
 // <div class="data-table" data-source="ID"> shows the JSON of <script type="application/json" id="ID">:
-//   columns  [{title, number, filter, values}]: `values`, if there, are the texts that the rows' integers stand for;
-//            `filter` gives the column a list of its values to choose from
+//   columns  [{title, number, interval, filter, hidden, values}]: `values`, if there, are the texts that the rows' integers stand
+//            for; `interval` texts are "LOW – HIGH"; `filter` gives the column a list of its values to choose from; `hidden` ones
+//            are shown when the reader asks for them
 //   rows     arrays of cells; null is an empty cell
 //   sets     {name: [[first, last], ...]}: named selections of rows, offered under `sets_title`
 //   templates {text: command with {title} for the row's cells}, shown on demand; `template_column` says by which
-//            column's text to choose one, "" is for all other texts
+//            column's text to choose one, "" is for all other texts; `algorithm_options` {name: options that follow it}
 const FIRST_ROWS = 50;
+const NOTHING = "–";
+
+function addElement(parent, name, properties = {}) {
+  const element = Object.assign(document.createElement(name), properties);
+  parent.append(element);
+  return element;
+}
+
+function download(name, text) {
+  const link = Object.assign(document.createElement("a"), { download: name });
+  link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+// RFC 4180.
+function csvText(rows) {
+  const field = (value) => (/[",\n\r]/.test(value) ? `"${String(value).replaceAll('"', '""')}"` : String(value));
+  return rows.map((row) => row.map(field).join(",") + "\n").join("");
+}
+
+// `made`: an object with `templates` and `template_column`; `cells`: {title: text}.
+function commandOf(made, cells) {
+  const quoted = (text) => (/^[\w.,:=/+-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
+  const options = (text) => text.split(" ").filter(Boolean)
+    .map((pair) => ` --param ${quoted(decodeURIComponent(pair.replace(/%(?![0-7][0-9A-F])/g, "%25")))}`).join("");
+  const value = (name) => String(cells[name] ?? "") + (name === "algorithm" ? made.algorithm_options?.[cells[name]] ?? "" : "");
+  const template = made.templates[cells[made.template_column]] || made.templates[""];
+  return template.replace(/\{([^{}]+?)( options)?\}/g, (_, name, asOptions) => asOptions ? options(cells[name] ?? "") : value(name));
+}
 
 class DataTable {
   constructor(place) {
@@ -30,6 +61,10 @@ class DataTable {
     return values ? values[value] : value;
   }
 
+  isShown(position) {
+    return !this.columns[position].hidden;
+  }
+
   build() {
     const controls = this.add(this.place, "div", { className: "choices" });
     this.columns.forEach((column, position) => {
@@ -39,32 +74,59 @@ class DataTable {
     if (this.sets) {
       this.setChoice = this.addChoice(controls, this.sets_title, Object.keys(this.sets), (value) => this.chooseSet(value));
     }
-    const label = this.add(controls, "label", { textContent: "search " });
-    const search = this.add(label, "input", { type: "search", size: 14 });
-    search.addEventListener("input", () => {
-      this.words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
-      this.refresh();
-    });
+    this.addSearch(controls);
+    this.addColumnChoice(controls);
+    this.add(controls, "button", { type: "button", textContent: "download as CSV" })
+      .addEventListener("click", () => download(this.place.dataset.source.replace("-data", "_table.csv"), this.csv()));
     this.count = this.add(controls, "span", { className: "soft" });
     this.count.setAttribute("role", "status");
     const scroll = this.add(this.place, "div", { className: "table-scroll", tabIndex: 0 });
     scroll.setAttribute("role", "region");
     scroll.setAttribute("aria-label", this.place.dataset.label);
     const table = this.add(scroll, "table");
-    this.heads = this.columns.map(() => null);
-    const head = this.add(this.add(table, "thead"), "tr");
-    this.columns.forEach((column, position) => this.addHead(head, column, position));
-    if (this.templates) this.add(head, "th", { textContent: "command" });
+    this.head = this.add(this.add(table, "thead"), "tr");
     this.body = this.add(table, "tbody");
     this.more = this.add(this.place, "button", { type: "button", textContent: "show more rows" });
     this.more.addEventListener("click", () => { this.limit *= 4; this.show(); });
+    this.showHead();
   }
 
-  addHead(row, column, position) {
-    const head = this.heads[position] = this.add(row, "th", { className: column.number ? "number" : "" });
-    head.scope = "col";
+  addSearch(controls) {
+    const search = this.add(this.add(controls, "label", { textContent: "search " }), "input", { type: "search", size: 14 });
+    search.addEventListener("input", () => {
+      this.words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+      this.refresh();
+    });
+  }
+
+  addColumnChoice(controls) {
+    const choice = this.add(controls, "details", { className: "columns" });
+    this.add(choice, "summary", { textContent: "columns" });
+    const list = this.add(choice, "div", { className: "column-list" });
+    for (const column of this.columns) {
+      const label = this.add(list, "label");
+      const box = this.add(label, "input", { type: "checkbox", checked: !column.hidden });
+      label.append(` ${column.title}`);
+      box.addEventListener("change", () => {
+        column.hidden = !box.checked;
+        this.showHead();
+        this.show();
+      });
+    }
+  }
+
+  showHead() {
+    this.head.replaceChildren();
+    this.heads = this.columns.map((column, position) => this.isShown(position) ? this.addHead(column, position) : null);
+    if (this.templates) this.add(this.head, "th", { textContent: "command", scope: "col" });
+    this.markOrder();
+  }
+
+  addHead(column, position) {
+    const head = this.add(this.head, "th", { className: column.number ? "number" : "", scope: "col" });
     const button = this.add(head, "button", { type: "button", textContent: column.title });
     button.addEventListener("click", () => this.sortBy(position));
+    return head;
   }
 
   addChoice(controls, title, values, choose) {
@@ -76,9 +138,7 @@ class DataTable {
   }
 
   add(parent, name, properties = {}) {
-    const element = Object.assign(document.createElement(name), properties);
-    parent.append(element);
-    return element;
+    return addElement(parent, name, properties);
   }
 
   valuesOf(position) {
@@ -96,14 +156,21 @@ class DataTable {
     this.refresh();
   }
 
+  // Ascending, then descending, then as the table came.
   sortBy(position) {
-    const descending = this.order && this.order.position === position ? !this.order.descending : false;
-    this.order = { position, descending };
-    this.heads.forEach((head, at) => {
-      if (at !== position) head.removeAttribute("aria-sort");
-      else head.setAttribute("aria-sort", descending ? "descending" : "ascending");
-    });
+    const isSame = this.order && this.order.position === position;
+    if (isSame && this.order.descending) this.order = null;
+    else this.order = { position, descending: Boolean(isSame) };
+    this.markOrder();
     this.refresh();
+  }
+
+  markOrder() {
+    this.heads.forEach((head, at) => {
+      if (!head) return;
+      if (!this.order || at !== this.order.position) head.removeAttribute("aria-sort");
+      else head.setAttribute("aria-sort", this.order.descending ? "descending" : "ascending");
+    });
   }
 
   refresh() {
@@ -128,7 +195,9 @@ class DataTable {
     const { position, descending } = this.order;
     const x = this.cell(a, position), y = this.cell(b, position);
     if (x === "" || y === "") return (x === "") - (y === "");
-    const order = this.columns[position].number ? x - y : String(x).localeCompare(String(y), "en", { numeric: true });
+    const { number, interval } = this.columns[position];
+    const order = number ? x - y : interval ? parseFloat(x) - parseFloat(y)
+      : String(x).localeCompare(String(y), "en", { numeric: true });
     return descending ? -order : order;
   }
 
@@ -143,8 +212,10 @@ class DataTable {
   rowElement(row) {
     const element = document.createElement("tr");
     this.columns.forEach((column, position) => {
+      if (!this.isShown(position)) return;
       const value = this.cell(row, position);
-      this.add(element, "td", { textContent: value, className: column.number ? "number" : "" });
+      const isMissing = value === "" && (column.number || column.interval);
+      this.add(element, "td", { textContent: isMissing ? NOTHING : value, className: column.number ? "number" : "" });
     });
     if (this.templates) {
       const button = this.add(this.add(element, "td"), "button", { type: "button", textContent: "show" });
@@ -161,20 +232,31 @@ class DataTable {
     if (open) { element.nextElementSibling.remove(); return; }
     const line = document.createElement("tr");
     line.className = "command";
-    const cell = this.add(line, "td", { colSpan: this.columns.length + 1 });
+    const cell = this.add(line, "td", { colSpan: this.heads.filter(Boolean).length + 1 });
     this.add(this.add(cell, "pre"), "code", { textContent: this.command(row) });
     element.after(line);
   }
 
   command(row) {
-    const cells = Object.fromEntries(
-      this.columns.map((column, position) => [column.title, String(this.cell(row, position))]));
-    const quoted = (text) => (/^[\w.,:=/+-]*$/.test(text) ? text : `'${text.replaceAll("'", "'\\''")}'`);
-    const options = (text) => text.split(" ").filter(Boolean)
-      .map((pair) => ` --param ${quoted(decodeURIComponent(pair.replace(/%(?![0-7][0-9A-F])/g, "%25")))}`).join("");
-    const template = this.templates[cells[this.template_column]] || this.templates[""];
-    return template.replace(/\{([^{}]+?)( options)?\}/g,
-      (_, name, asOptions) => asOptions ? options(cells[name] ?? "") : cells[name]);
+    return commandOf(this, this.cells(row));
+  }
+
+  // {title: text} of all columns.
+  cells(row) {
+    return Object.fromEntries(this.columns.map((column, position) => [column.title, String(this.cell(row, position))]));
+  }
+
+  // What the table shows, all rows of it; an interval becomes two columns.
+  csv() {
+    const shown = this.columns.map((_, position) => position).filter((position) => this.isShown(position));
+    const ends = ["lower", "upper"];
+    const title = ({ title, interval }) => interval ? ends.map((end) => `${title}, ${end}`) : [title];
+    const fields = (row, position) => {
+      const value = this.cell(row, position);
+      return !this.columns[position].interval ? [value] : value === "" ? ["", ""] : value.split(" – ");
+    };
+    const rows = this.matching().map((row) => shown.flatMap((position) => fields(row, position)));
+    return csvText([shown.flatMap((position) => title(this.columns[position])), ...rows]);
   }
 }
 
@@ -199,7 +281,14 @@ function addThemeButton() {
     const root = document.documentElement;
     const shown = root.dataset.theme || (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     root.dataset.theme = shown === "dark" ? "light" : "dark";
+    document.querySelectorAll("iframe").forEach(follow);
   });
+  // A page within this one (<iframe data-page="HTML"> in <details>) is loaded when it is first seen, and has the same colours.
+  const follow = (frame) => { frame.contentDocument.documentElement.dataset.theme = document.documentElement.dataset.theme ?? ""; };
+  for (const frame of document.querySelectorAll("iframe[data-page]")) {
+    frame.addEventListener("load", () => follow(frame));
+    frame.closest("details").addEventListener("toggle", () => { if (!frame.srcdoc) frame.srcdoc = frame.dataset.page; });
+  }
 }
 
 // A link to a claim opens it.

@@ -22,7 +22,22 @@ TEXT_COLUMNS = (
     "optimum_note",
     "optimal",
 )
-NUMBER_COLUMNS = ("alpha_lower", "alpha_upper", "weight_upper", "wall_time_s", "stopped_early", "alpha_mean", "alpha_max")
+NUMBER_COLUMNS = (
+    "alpha_lower",
+    "alpha_upper",
+    "weight_upper",
+    "wall_time_s",
+    "cpu_time_s",
+    "delaunay_time_s",
+    "peak_rss_bytes",
+    "stopped_early",
+    "alpha_mean",
+    "alpha_median",
+    "alpha_max",
+    "wall_time_median_s",
+    "r_squared",
+)
+NEWEST_COLUMNS = {"summary.csv": ("stopped_early",), "ratings.csv": ("is_timed",)}
 TIME_COLUMNS = ("wall_time_s", "cpu_time_s", "delaunay_time_s")
 CELL = ["family", "label", "n"]
 USUAL_FAMILIES = ("uniform", "normal", "clustered")  # what readers look for first, where a study has it
@@ -65,6 +80,9 @@ class Results:
         if not path.is_file():
             sys.exit(f"{path}: no such file; make it with: {maker} {self.folder}")
         table = pd.read_csv(path, dtype={column: str for column in TEXT_COLUMNS}, low_memory=False)
+        missing = [column for column in NEWEST_COLUMNS.get(name, ()) if column not in table]
+        if missing:
+            sys.exit(f"{path}: written by an older mwt, without {missing[0]}; make it anew with: {maker} {self.folder}")
         if "schema_version" in table and set(table["schema_version"]) - KNOWN_SCHEMAS:
             sys.exit(f"{path}: a schema version that this script cannot read")
         for column in set(TEXT_COLUMNS) & set(table.columns):
@@ -75,62 +93,43 @@ class Results:
 
     @functools.cached_property
     def runs(self):
-        """All runs, rated by the tightest bounds in the records, those of other machines than `machine` without times, with the
-        `label` of their algorithm and the `family` of their points as in summary.csv."""
+        """All runs, rated by the tightest bounds in the records, without the times that the report leaves out (of other machines),
+        with the `label` of their algorithm and the `family` of their points as in summary.csv."""
         runs = self._read("runs.csv")
-        elsewhere = self._machines(runs) != self.machine
-        runs.loc[elsewhere, [column for column in TIME_COLUMNS if column in runs]] = float("nan")
         for name, keys in (("label", ["algorithm", "params"]), ("family", ["generator", "generator_params"])):
             known = self.summary.drop_duplicates(keys).set_index(keys)[name]
             runs[name] = known.loc[list(zip(*(runs[key] for key in keys)))].to_numpy()
         ratings = self._read("ratings.csv", "mwt report").set_index("run_id")
         of_runs = ratings.reindex(runs["run_id"])
-        for column in ("optimality", "alpha_lower", "alpha_upper", "optimal"):
+        for column in ("optimality", "alpha_lower", "alpha_upper", "optimal", "is_timed"):
             runs[column] = of_runs[column].to_numpy()
         runs["optimal"] = runs["optimal"].fillna("")
+        runs.loc[runs["is_timed"] == 0, [column for column in TIME_COLUMNS if column in runs]] = float("nan")
         return runs
 
-    def _machines(self, runs):
-        """What ran each run: processor, CPUs, memory to the gigabyte, runs side by side."""
-        environments = self.environments.drop_duplicates("env_id").set_index("env_id")
-        described = environments[["cpu_model", "logical_cpus", "memory_bytes", "jobs"]].copy()
-        described["memory_bytes"] = (described["memory_bytes"] / 2**30).round()
-        names = described.astype(str).agg(", ".join, axis=1)
-        return runs["env_id"].map(names).fillna("unknown")
+    @functools.cached_property
+    def cells(self):
+        """The cells of summary.csv with runs that are ok, none of which stopped early: time and alpha of those that did are of the
+        limit."""
+        return self.summary[(self.summary["instances"] > 0) & (self.summary["stopped_early"] == 0)]
 
     @functools.cached_property
-    def machine(self):
-        """The machine whose times are shown: that of most successful runs, as in `mwt report`."""
-        runs = self._read("runs.csv")
-        counts = self._machines(runs[runs["status"] == "ok"]).value_counts()
-        return min(counts[counts == counts.max()].index) if len(counts) else "unknown"
-
-    @functools.cached_property
-    def machine_count(self):
-        runs = self._read("runs.csv")
-        return self._machines(runs[runs["status"] == "ok"]).nunique()
-
-    @functools.cached_property
-    def finished(self):
-        """The runs with a checked triangulation that nothing stopped early."""
-        return self.runs[(self.runs["status"] == "ok") & (self.runs["stopped_early"] == 0)]
-
-    @functools.cached_property
-    def rated(self):
-        """Those of them whose alpha is certified against a proved optimum."""
-        return self.finished[self.finished["optimality"] == "proved"]
+    def rated_cells(self):
+        """Those of them with alphas against proved optima."""
+        return self.cells[self.cells["rated_instances"] > 0]
 
     @functools.cached_property
     def observations(self):
-        """One row per algorithm and instance: medians over the repetitions of what is rated, for repetitions on the same
-        points are not independent."""
-        by_instance = self.rated.groupby([*CELL, "instance_id"], sort=False)
-        return by_instance[["alpha_lower", "alpha_upper", "wall_time_s"]].median().reset_index()
+        """One row per algorithm and instance of these cells: medians over the repetitions."""
+        observations = self._read("observations.csv", "mwt report")
+        keys = pd.MultiIndex.from_frame(observations[CELL])
+        is_drawn = keys.isin(pd.MultiIndex.from_frame(self.rated_cells[CELL])) & observations["alpha_upper"].notna()
+        return observations[is_drawn]
 
     @functools.cached_property
     def families(self):
         """The families, those that readers look for first: the usual random ones, then the others by the largest alpha."""
-        worst = self.observations.groupby("family")["alpha_upper"].max()
+        worst = self.rated_cells.groupby("family")["alpha_max"].max()
         usual = {family: position for position, family in enumerate(USUAL_FAMILIES)}
         present = dict.fromkeys(self.runs["family"])
         return sorted(present, key=lambda family: (usual.get(name_of(family), len(usual)), -worst.get(family, 0)))
@@ -150,17 +149,21 @@ class Results:
         return self._read("optima.csv", "mwt report")
 
     @functools.cached_property
+    def exponents(self):
+        """The power laws that `mwt report` fitted, one row per family, algorithm and measure."""
+        return self._read("exponents.csv", "mwt report")
+
+    @functools.cached_property
     def laws(self):
         """{(family, label, measure): Law}, as `mwt report` fitted them; measures are "wall_time_s" and "alpha". Without the
         series in which a run stopped early: its time and alpha are those of the limit."""
-        table = self._read("exponents.csv", "mwt report")
-        stopped = self.runs[self.runs["stopped_early"] == 1]
+        stopped = self.summary[self.summary["stopped_early"] > 0]
         without_law = set(zip(stopped["family"], stopped["label"]))
         return {
             (row.family, row.label, row.measure): Law(
                 row.exponent, row.exponent_lower, row.exponent_upper, row.factor, row.min_n, row.max_n, row.fits != "no"
             )
-            for row in table.itertuples()
+            for row in self.exponents.itertuples()
             if (row.family, row.label) not in without_law
         }
 

@@ -17,7 +17,7 @@ def pairs(data):
         return None
     tables = {measure: data.table(f"pairs_{measure}") for measure in measures}
     labels = list(dict.fromkeys(data.table("outcomes")["label"]))
-    height = 0.26 * len(labels) + 1.1
+    height = 0.2 * len(labels) + 0.95
     figure, all_axes = plt.subplots(1, len(measures), figsize=(WIDTH, height), squeeze=False)
     for axes, measure in zip(all_axes[0], measures):
         draw_matrix(axes, tables[measure], labels)

@@ -1,5 +1,5 @@
 """Performance profiles and empirical distributions: steps that the program counted."""
-from .data import legend_below, panels
+from .data import legend_below, panel_height, panels
 
 FLOOR = {"profile": 1e-9, "distribution": 1e-9}  # smaller excesses are drawn at the left edge
 
@@ -34,7 +34,7 @@ def draw(data, name, columns, texts):
     if not measures:
         return None
     looks = data.looks()
-    figure, all_axes = panels(len(measures), 2.1)
+    figure, all_axes = panels(len(measures), panel_height(looks))
     shown = []
     for axes, measure in zip(all_axes, measures):
         table = data.table(f"{name}_{measure}")

@@ -65,6 +65,11 @@ def mark(look):
     return dict(look, linestyle="")
 
 
+def panel_height(labels):
+    """Inches: low where a few algorithms leave much room, higher for many."""
+    return min(2.1, 1.45 + 0.1 * max(0, len(set(labels)) - 4))
+
+
 def panels(count, height, rows=1):
     figure, axes = plt.subplots(rows, -(-count // rows), figsize=(WIDTH, height * rows), squeeze=False)
     return figure, list(axes.flat)

@@ -3,12 +3,13 @@ import math
 
 import matplotlib.pyplot as plt
 
-from .data import WIDTH, legend_below, mark
+from .data import WIDTH, legend_below, mark, panel_height
 
 MOST_FAMILIES = 3
 Y_LABELS = {"time": "time in s", "alpha": r"mean $\alpha$"}
 LEAST_EXPONENT = 0.02  # of alpha: what grows less is flat, and left out
-TEXT_HEIGHT = 0.055  # of the panel
+FONT_SIZE = 5.5  # of the exponents, points
+TEXT_HEIGHT = 1.2 * FONT_SIZE
 
 
 def growth(data):
@@ -19,8 +20,9 @@ def growth(data):
     looks = data.looks()
     families = list(dict.fromkeys(grows["family"]))[:MOST_FAMILIES]
     measures = [measure for measure in ("time", "alpha") if (grows["measure"] == measure).any()]
+    height = panel_height(grows["label"])
     figure, all_axes = plt.subplots(
-        len(measures), len(families), figsize=(WIDTH, 2.2 * len(measures)), squeeze=False, sharey="row"
+        len(measures), len(families), figsize=(WIDTH, height * len(measures)), squeeze=False, sharey="row"
     )
     for row, measure in zip(all_axes, measures):
         for axes, family in zip(row, families):
@@ -62,16 +64,17 @@ def name_exponents(axes, lines, looks):
     left, right = axes.get_xlim()
     axes.set_xlim(left, right * (right / left) ** 0.14)
     to_share = axes.transLimits.transform
+    text_height = TEXT_HEIGHT / (axes.get_window_extent().height * 72 / axes.figure.dpi)
     places = []
     for label, end in ends:
         x, y = to_share((math.log10(end["n"]), math.log10(end["value"])))
         places.append([x, y, label, end])
     places.sort(key=lambda place: place[1])
     for below, above in zip(places, places[1:]):
-        above[1] = max(above[1], below[1] + TEXT_HEIGHT)
+        above[1] = max(above[1], below[1] + text_height)
     too_high = max(0, places[-1][1] - 0.97)  # the whole stack moves down, as far as its neighbours let it
     for place, above in zip(reversed(places), [None, *reversed(places)]):
-        place[1] = min(place[1], 0.97 if above is None else above[1] - TEXT_HEIGHT) if too_high else place[1]
+        place[1] = min(place[1], 0.97 if above is None else above[1] - text_height) if too_high else place[1]
     for x, y, label, end in places:
         text = f"{end['exponent']:.2f}" + (r"$^\sim$" if end["fits"] == "no" else "")
-        axes.text(x + 0.02, y, text, transform=axes.transAxes, fontsize=5.5, va="center", color=looks[label]["color"])
+        axes.text(x + 0.02, y, text, transform=axes.transAxes, fontsize=FONT_SIZE, va="center", color=looks[label]["color"])

@@ -2,7 +2,7 @@
 import numpy as np
 from matplotlib.ticker import NullFormatter
 
-from .data import legend_below, mark, panels
+from .data import legend_below, mark, panel_height, panels
 
 SMALLEST = 1e-6  # percent: gaps of 0 are drawn at the bottom, below a gap in the axis
 
@@ -13,7 +13,7 @@ def trade_off(data):
     table = data.table("trade_off")
     looks = data.looks()
     sizes = list(dict.fromkeys(table["n"]))
-    figure, all_axes = panels(len(sizes), 2.2)
+    figure, all_axes = panels(len(sizes), panel_height(table["label"]))
     positive = 100 * table["gap_mean"][table["gap_mean"] > 0]
     bottom = max(positive.min() / 30, SMALLEST) if len(positive) else SMALLEST
     for axes, n in zip(all_axes, sizes):

@@ -22,3 +22,7 @@ set(shared_folder ${CMAKE_INSTALL_DATADIR}/mwt)
 install(DIRECTORY harness/studies DESTINATION ${shared_folder}/harness COMPONENT program PATTERN "*.cpp" EXCLUDE)
 install(DIRECTORY library/examples/rivals DESTINATION ${shared_folder}/library/examples COMPONENT program
         USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)
+# What draws figures and pages: mwt report calls it.
+install(DIRECTORY plots DESTINATION ${shared_folder} COMPONENT program USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE
+        PATTERN "testdata" EXCLUDE PATTERN "*_test.py" EXCLUDE PATTERN "page_testing.py" EXCLUDE PATTERN "browser.py" EXCLUDE
+        PATTERN "make_tour.py" EXCLUDE)

@@ -16,6 +16,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME mwt)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "python3:any")  # the study `rivals` runs a Python program
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "python3-pandas, python3-matplotlib, python3-jinja2")  # mwt report --page, --paper
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libmwt-dev, python3-mwt, python3-scipy, gcc")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "minimum weight triangulation: programs and studies
 mwt triangulates points in the plane by heuristics and exact algorithms,

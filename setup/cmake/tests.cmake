@@ -71,11 +71,13 @@ set(cluster_tests ${source}/harness/study/cluster/testing)
 mwt_add_script_test(harness.cluster slow 3000 ${cluster_tests}/with_slurm.sh 4 ${python} ${cluster_tests}/cluster_test.py $<TARGET_FILE:mwt>)
 # A second program with 1% more instructions in one kernel, whose counts must tell it from the first.
 mwt_add_script_test(harness.more_instructions slow 1200 ${python} ${source}/harness/tracking/testing/more_instructions_test.py ${PROJECT_BINARY_DIR})
-# What figures compute; the pages, in a headless Chromium: that of the claims, that of another study, the dashboard of nightly runs, the
-# explorer, its tour; what mwt report --paper writes.
+# What figures compute; the pages, in a headless Chromium: that of the claims, that of another study, its figure explorer, that of two studies, the
+# dashboard of nightly runs, the explorer, its tour; what mwt report --paper writes.
 mwt_add_script_test(plots.figures plots 600 ${python} ${source}/plots/figures_test.py)
 mwt_add_script_test(plots.page plots 600 ${python} ${source}/plots/page_test.py $<TARGET_FILE:mwt>)
 mwt_add_script_test(plots.foreign_page plots 600 ${python} ${source}/plots/foreign_page_test.py $<TARGET_FILE:mwt>)
+mwt_add_script_test(plots.figure_explorer plots 600 ${python} ${source}/plots/figure_explorer_test.py $<TARGET_FILE:mwt>)
+mwt_add_script_test(plots.comparison_page plots 600 ${python} ${source}/plots/comparison_page_test.py $<TARGET_FILE:mwt>)
 mwt_add_script_test(plots.dashboard plots 600 ${python} ${source}/plots/dashboard_test.py $<TARGET_FILE:mwt>)
 mwt_add_script_test(plots.tour plots 600 ${python} ${source}/plots/tour_test.py $<TARGET_FILE:mwt>)
 mwt_add_script_test(plots.paper plots 600 ${python} ${source}/plots/paper_test.py $<TARGET_FILE:mwt>)

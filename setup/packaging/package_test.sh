@@ -42,7 +42,9 @@ algorithms = ["greedy", "flip", { name = "fan_sweep", command = ["$root/usr/shar
 END
 quietly "$mwt" run small.toml --out records
 [ "$(grep -c ',ok,' records/runs.csv)" -eq 6 ] || fail "not every run of the small study is ok"
-quietly "$mwt" report records
+export PYTHONDONTWRITEBYTECODE=1
+quietly "$mwt" report records --page
+[ -s records/report.html ] || fail "the installed program makes no page"
 quietly "$mwt" generate uniform --n 100 -o points.txt
 quietly "$mwt" solve points.txt --algorithm exact --proof proof.mwtproof
 "$root/usr/bin/mwt_verify" points.txt proof.mwtproof | grep -q '^VERIFIED .*optimal' || fail "mwt_verify"
