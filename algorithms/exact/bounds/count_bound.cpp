@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "algorithms/common/rows.h"
+#include "algorithms/exact/bounds/side_costs.h"
 #include "algorithms/exact/bounds/simple_bound.h"
 #include "algorithms/exact/candidates/kd_order.h"
 #include "algorithms/exact/division/beta_skeleton.h"
@@ -124,16 +125,40 @@ class CountBound {
     for (std::size_t i = 0; i < hull.size(); ++i) certain.push_back({hull[i], hull[(i + 1) % hull.size()]});
     certain_ = undirected_edges(std::move(certain));
     for (const Edge& edge : certain_) certain_length_.add(points_[edge.a], points_[edge.b]);
+    sides_ = side_costs(order_, certain_, deadline);
   }
 
   [[nodiscard]] double run() {
-    const double certain = certain_length_.enclosure().lower;
-    if (nearest_.empty()) return std::max(certain, simple_lower_bound(points_));
-    return std::max(0.0, next_down(certain + length_of_others()));
+    const double others = by_counts_and_sides(nearest_.empty() ? std::vector<double>() : lengths_of_others());
+    const double bound = std::max(0.0, next_down(certain_length_.enclosure().lower + others));
+    return nearest_.empty() ? std::max(bound, simple_lower_bound(points_)) : bound;
   }
 
  private:
-  [[nodiscard]] double length_of_others() {
+  // The part of each length above a cap counts once for each edge, the part below it at the sides of certain edges.
+  [[nodiscard]] double by_counts_and_sides(const std::vector<double>& lengths) const {
+    constexpr int kCaps = 48;
+    std::vector<double> sums{0};  // of the longest ones
+    for (const double length : lengths) sums.push_back(std::max(0.0, next_down(sums.back() + length)));
+    double best = std::max(sums.back(), cost_of_sides(std::numeric_limits<double>::infinity()));
+    double cap = lengths.empty() ? 0 : lengths.front();
+    for (int i = 0; i < kCaps && cap > 0; ++i, cap /= 2) {
+      const auto longer = std::partition_point(lengths.begin(), lengths.end(), [&](double x) { return x > cap; });
+      const auto count = static_cast<std::size_t>(longer - lengths.begin());
+      const double above = std::max(0.0, next_down(sums[count] - next_up(static_cast<double>(count) * cap)));
+      best = std::max(best, next_down(above + cost_of_sides(cap)));
+    }
+    return best;
+  }
+
+  [[nodiscard]] double cost_of_sides(double cap) const {
+    double sum = 0;
+    for (const SideCost& side : sides_) sum = std::max(0.0, next_down(sum + side.capped(cap)));
+    return sum;
+  }
+
+  // At least these: of the edges that are not certain, the longest first.
+  [[nodiscard]] std::vector<double> lengths_of_others() {
     rank_vertices();
     const Rows<double> own = lengths_by_later_end();
     const std::vector<std::size_t> certain_at = certain_by_later_end();
@@ -148,9 +173,9 @@ class CountBound {
     }
     const std::size_t others = 3 * points_.size() - 3 - hull_size_ - certain_.size();
     while (taken.size() > others) taken.pop();
-    double sum = 0;
-    for (; !taken.empty(); taken.pop()) sum = next_down(sum + taken.top());
-    return std::max(0.0, sum);
+    std::vector<double> lengths;
+    for (; !taken.empty(); taken.pop()) lengths.push_back(taken.top());
+    return lengths;
   }
 
   // Between so many points.
@@ -194,6 +219,7 @@ class CountBound {
   std::size_t hull_size_ = 0;
   std::vector<Edge> certain_;  // ascending
   LengthSum certain_length_;
+  std::vector<SideCost> sides_;   // of the certain edges
   std::vector<Nearest> nearest_;  // of each point; none: there was no time
   std::vector<Index> by_reach_;
   std::vector<std::size_t> rank_;  // of each point among these

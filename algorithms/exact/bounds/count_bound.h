@@ -1,4 +1,5 @@
-// A lower bound from the points alone: how many edges a triangulation has, and how few of them can be short.
+// A lower bound from the points alone: how many edges a triangulation has, how few of them can be short, and what the
+// triangles beside certain edges cost.
 #pragma once
 
 #include "algorithms/deadline.h"
@@ -15,9 +16,13 @@ namespace mwt {
 /// of which one is among the k nearest of the other, or at least d(v_m) long. Edges that obey these counts are lightest
 /// if they are taken greedily (a matroid): m by m, the shortest of those allowed.
 ///
-/// 70 to 80% of the optimum on random points, clustered or not. O(n log n): a Delaunay triangulation and a search for k
-/// neighbours of every point, on the threads of the enclosing task arena. Where the deadline passes before, the bound
-/// is the length of hull and skeleton, or simple_lower_bound().
+/// The triangles at the sides of hull and skeleton (side_costs.h) have long sides where chains of points face each
+/// other or a far point. Both are counted: for some c, the part of each length above c as described, the part up to c
+/// by these triangles. PROOFS.md has the argument.
+///
+/// 70 to 80% of the optimum on random points, clustered or not. O(n log n): a Delaunay triangulation, a search for k
+/// neighbours of every point and one beside every certain edge, on the threads of the enclosing task arena. Where the
+/// deadline passes before, the bound is the length of hull and skeleton, or simple_lower_bound().
 [[nodiscard]] double bound_by_counts(Points points, const Deadline& deadline);
 
 }  // namespace mwt

@@ -58,6 +58,15 @@ TEST(CountBound, IsCloseOnRandomPoints) {
   }
 }
 
+// A fan of long edges; a ring of short ones between triangles of very different sizes.
+TEST(CountBound, IsTightWhereChainsFaceFarPoints) {
+  for (const char* family : {"delaunay_flip_stuck", "insertion_trap"}) {
+    SCOPED_TRACE(family);
+    const std::vector<Point> points = generate(family, 600, 1);
+    EXPECT_GT(bound_by_counts(points, {}), 0.999 * solve_to_optimality("exact", points).optimum->lower);
+  }
+}
+
 // At least the simple bound, and never more than with time.
 TEST(CountBound, HoldsAfterTheDeadline) {
   const std::vector<Point> points = generate("uniform", 500, 1);

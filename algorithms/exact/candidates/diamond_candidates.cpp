@@ -168,18 +168,21 @@ bool DiamondTest::may_connect(std::uint32_t leaf, std::uint32_t node) const {
 // The leaves below the root with an edge to `leaf`, perhaps, of nodes that may be visited, in tree order.
 template <class MayVisit>
 void DiamondTest::collect_partners(std::uint32_t leaf, std::uint32_t root, const MayVisit& may_visit,
-                                   Partners& partners) const {
+                                   FlatLeafTest& flat, Partners& partners) const {
   partners.clear();
-  std::array<std::uint32_t, 64> stack{root};  // a path in the tree and its siblings
-  std::size_t height = 1;
+  flat.start(leaf, std::bit_cast<float>(std::uint32_t{dead_of_node_[leaf].farthest()} << 16));
+  std::array<Partner, 64> stack{{{root, ~0U >> (32 - (order_.last_of(leaf) - order_.first_of(leaf)))}}};
+  std::size_t height = 1;  // of a path in the tree and its siblings
   while (height > 0) {
-    const std::uint32_t node = stack[--height];
+    auto [node, open] = stack[--height];
     if (!may_visit(node) || !may_connect(leaf, node)) continue;
+    open = flat.with_edges_into(node, open);
+    if (open == 0) continue;
     if (order_.is_leaf(node)) {
-      partners.push_back(node);
+      partners.push_back({node, open});
     } else {
-      stack[height++] = 2 * node + 1;
-      stack[height++] = 2 * node;
+      stack[height++] = {2 * node + 1, open};
+      stack[height++] = {2 * node, open};
     }
   }
 }
@@ -193,23 +196,23 @@ bool DiamondTest::is_long(const CandidatePair& pair, float reach) const {
   return square > enough * enough * nearest;
 }
 
-// collect(leaf, partners) finds the leaves that edges may lead to.
+// collect(leaf, flat, partners) finds the leaves that edges may lead to.
 template <class Collect>
 void DiamondTest::search_block(std::uint32_t block, const Collect& collect, const Context& context,
                                std::vector<CandidatePair>& candidates) {
-  NearPointsFinder finder(order_);
+  FlatLeafTest flat(order_);
   LongEdgeTest long_edges(order_);
   Partners partners;
   std::array<CandidatePair, KdOrder::kMaxLeaf * KdOrder::kMaxLeaf> found;
   for (std::uint32_t leaf = blocks_.first_leaf_of(block); leaf < blocks_.last_leaf_of(block); ++leaf) {
-    collect(leaf, partners);
+    collect(leaf, flat, partners);
     if (partners.empty()) continue;
     const std::size_t before = candidates.size();
-    const CandidateSearch search{order_.points, finder.find(leaf), order_.first_of(leaf), dead_of_leaf(leaf)};
+    const CandidateSearch search{order_.points, flat.near(), order_.first_of(leaf), dead_of_leaf(leaf)};
     const float reach = search.near.distance[static_cast<std::size_t>(search.near.leaves - 1)];
-    for (const std::uint32_t partner : partners) {
+    for (const auto& [partner, open] : partners) {
       const std::size_t count =
-          append_candidates(search, {order_.first_of(partner), dead_of_leaf(partner)}, found.data());
+          append_candidates(search, {order_.first_of(partner), dead_of_leaf(partner), open}, found.data());
       long_edges.start(leaf, partner);
       std::copy_if(
           found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), std::back_inserter(candidates),
@@ -233,7 +236,10 @@ std::vector<std::vector<CandidatePair>> DiamondTest::find_outer(const Context& c
     const Index end = order_.last_of(blocks_.node_of(block));
     const auto reaches_beyond = [&](std::uint32_t node) { return order_.last_of(node) > end; };
     search_block(
-        block, [&](std::uint32_t leaf, Partners& partners) { collect_partners(leaf, 1, reaches_beyond, partners); },
+        block,
+        [&](std::uint32_t leaf, FlatLeafTest& flat, Partners& partners) {
+          collect_partners(leaf, 1, reaches_beyond, flat, partners);
+        },
         context, outer[block]);
   });
   return outer;
@@ -243,10 +249,11 @@ void DiamondTest::take_inner(std::uint32_t block, const Context& context, std::v
   found.clear();
   search_block(
       block,
-      [&](std::uint32_t leaf, Partners& partners) {
+      [&](std::uint32_t leaf, FlatLeafTest& flat, Partners& partners) {
         const Index first = order_.first_of(leaf);
         collect_partners(
-            leaf, blocks_.node_of(block), [&](std::uint32_t node) { return order_.last_of(node) > first; }, partners);
+            leaf, blocks_.node_of(block), [&](std::uint32_t node) { return order_.last_of(node) > first; }, flat,
+            partners);
       },
       context, found);
   dead_[block] = std::vector<DeadDistances>();  // {} would keep the memory

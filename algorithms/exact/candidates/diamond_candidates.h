@@ -10,6 +10,7 @@
 
 #include "algorithms/algorithm.h"
 #include "algorithms/exact/candidates/diamond_kernels.h"
+#include "algorithms/exact/candidates/flat_leaves.h"
 #include "algorithms/exact/candidates/kd_order.h"
 
 namespace mwt {
@@ -77,13 +78,18 @@ class DiamondTest {
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
-  using Partners = std::vector<std::uint32_t>;
+  struct Partner {
+    std::uint32_t leaf;
+    std::uint32_t open;  // the points of the leaf at hand that may have edges to it, by place
+  };
+  using Partners = std::vector<Partner>;
 
   void compute_dead_distances_of(std::uint32_t block);
   [[nodiscard]] std::span<const DeadDistances> dead_of_leaf(std::uint32_t leaf) const;
   [[nodiscard]] bool may_connect(std::uint32_t leaf, std::uint32_t node) const;
   template <class MayVisit>
-  void collect_partners(std::uint32_t leaf, std::uint32_t root, const MayVisit& may_visit, Partners& partners) const;
+  void collect_partners(std::uint32_t leaf, std::uint32_t root, const MayVisit& may_visit, FlatLeafTest& flat,
+                        Partners& partners) const;
   template <class Collect>
   void search_block(std::uint32_t block, const Collect& collect, const Context& context,
                     std::vector<CandidatePair>& candidates);

@@ -277,6 +277,7 @@ std::size_t AppendCandidates(const CandidateSearch& search, const PartnerLeaf& l
   CandidatePair* const begin = out;
   View view;
   for (int place = 0; place < near.leaf_size; ++place) {
+    if ((leaf.open >> place & 1U) == 0) continue;
     const Index p = search.leaf_first + static_cast<Index>(place);
     const DeadDistances& dead = search.dead[static_cast<std::size_t>(place)];
     bool has_view = false;

@@ -73,6 +73,7 @@ struct CandidateSearch {
 struct PartnerLeaf {
   Index first;
   std::span<const DeadDistances> dead;
+  std::uint32_t open = ~0U;  ///< the points p, by their place in their leaf, that may have edges to it
 
   [[nodiscard]] Index last() const { return first + static_cast<Index>(dead.size()); }
 };

@@ -103,6 +103,7 @@ class ScalarDiamondTest {
     CandidatePair* const begin = out;
     View view;
     for (int place = 0; place < search.near.leaf_size; ++place) {
+      if ((partners.open >> place & 1U) == 0) continue;
       const Index p = search.leaf_first + static_cast<Index>(place);
       look_around(search.near, static_cast<std::size_t>(place), view);
       for (Index q = std::max(partners.first, p + 1); q < partners.last(); ++q) {

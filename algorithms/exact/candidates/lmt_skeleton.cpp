@@ -194,13 +194,18 @@ std::uint64_t examine_between_large_stars(StarTable& table, const KdOrder& order
       if (v < w && stars[w].count > Star::kMaxExamined) edges.push_back({v, w});
     }
   }
-  // Of few edges more may be tried: a plate with two holes and 3,000 points is then connected.
-  constexpr std::size_t kMany = std::size_t{1} << 20;
-  const std::uint32_t max_examined = (edges.size() < kMany ? 2 : 1) * Star::kMaxExaminedAtLast;
+  // Of few edges more may be tried: a plate with two holes and 3,000 points is then connected. Of more, up to kTooMany,
+  // some at first: between chains that face each other nearly all of the longest go, in a wheel none.
+  constexpr std::size_t kMany = std::size_t{1} << 20, kTooMany = std::size_t{1} << 22, kProbe = std::size_t{1} << 14;
   const auto sorted = longest_first(order.points, distance_scale(order), edges);
+  const bool is_probed = edges.size() >= kMany && edges.size() < kTooMany;
+  const std::size_t probe = is_probed ? kProbe : 0;
   std::vector<Edge> deleted;
-  const LmtCounters counters =
-      delete_edges_without_certificate(table, order.points, hull, sorted, context, &deleted, max_examined);
+  LmtCounters counters = delete_edges_without_certificate(table, order.points, hull, std::span(sorted).first(probe),
+                                                          context, &deleted, 8 * Star::kMaxExaminedAtLast);
+  const std::uint32_t factor = edges.size() < kMany ? 2 : counters.deleted > probe / 2 ? 8 : 1;
+  counters.add(delete_edges_without_certificate(table, order.points, hull, std::span(sorted).subspan(probe), context,
+                                                &deleted, factor * Star::kMaxExaminedAtLast));
   if (context.proof != nullptr)
     context.proof->edges.push_back({EdgeReason::not_locally_minimal, std::move(deleted), {}});
   if (context.deadline_passed()) throw SearchStopped(StopReason::deadline, "the deadline passed during the LMT stage");

@@ -1,6 +1,7 @@
 #include "algorithms/exact/faces/interval_program.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -76,6 +77,37 @@ void IntervalProgram::lay_out_backward_cells() {
   value_.resize(to_.size());
   row_value_.assign(positions, kInfinity);
   row_cell_.resize(positions);
+  if (positions > kShort) lay_out_blocks();
+}
+
+void IntervalProgram::lay_out_blocks() {
+  const std::size_t positions = size();
+  std::vector<Position> last(positions, kNoCell);
+  block_first_.assign(positions + 1, 0);
+  for (Position from = 0; from < positions; ++from) {
+    for (Cell cell = first_[from]; cell < first_[from + 1]; ++cell) {
+      const Position to = to_[cell];
+      if (last[to] == from / kBlock) continue;
+      last[to] = from / kBlock;
+      ++block_first_[to + 1];
+    }
+  }
+  for (std::size_t p = 1; p <= positions; ++p) block_first_[p] += block_first_[p - 1];
+  block_end_.assign(block_first_.begin(), block_first_.end() - 1);
+  blocks_.resize(block_first_.back());
+  row_block_.assign(positions / kBlock + 1, 0);
+}
+
+// Rows come by descending `from`.
+void IntervalProgram::add_backward_cell(Position from, Cell cell) {
+  const Position to = to_[cell];
+  const Cell place = backward_end_[to]++;
+  backward_[place] = {from, cell, value_[cell].high};
+  if (size() <= kShort) return;
+  const bool is_new = block_end_[to] == block_first_[to] || blocks_[block_end_[to] - 1].number != from / kBlock;
+  if (is_new) blocks_[block_end_[to]++] = {from / kBlock, place, 0};
+  blocks_[block_end_[to] - 1].apexes |= std::uint64_t{1} << from % kBlock;
+  row_block_[to / kBlock] |= std::uint64_t{1} << to % kBlock;
 }
 
 void IntervalProgram::compute_row(Position from) {
@@ -87,9 +119,12 @@ void IntervalProgram::compute_row(Position from) {
     }
     row_value_[to] = value_[cell].high;
     row_cell_[to] = cell;
-    backward_[backward_end_[to]++] = {from, cell, value_[cell].high};
+    add_backward_cell(from, cell);
   }
-  for (Cell cell = first_[from]; cell < first_[from + 1]; ++cell) row_value_[to_[cell]] = kInfinity;
+  for (Cell cell = first_[from]; cell < first_[from + 1]; ++cell) {
+    row_value_[to_[cell]] = kInfinity;
+    if (size() > kShort) row_block_[to_[cell] / kBlock] = 0;
+  }
 }
 
 // Whether the cell has a triangulation.
@@ -110,13 +145,36 @@ bool IntervalProgram::compute_cell(Position from, Cell cell) {
   return true;
 }
 
+// Calls visit(backward cell) for those of a block with these apexes, descending; if there are many, for others as well.
+template <class Visit>
+void IntervalProgram::for_each_meeting_cell(const Block& block, std::uint64_t apexes, Visit visit) const {
+  constexpr int kMany = 12;
+  const int count = std::popcount(block.apexes);
+  if (std::popcount(apexes) > kMany) {
+    for (Cell i = block.first; i < block.first + static_cast<Cell>(count); ++i) visit(backward_[i]);
+    return;
+  }
+  while (apexes != 0) {
+    const std::uint64_t highest = std::bit_floor(apexes);
+    visit(backward_[block.first + static_cast<Cell>(std::popcount(block.apexes & ~(2 * highest - 1)))]);
+    apexes -= highest;
+  }
+}
+
 // Calls visit(option, sum of the values' high parts) for each apex; the sum is infinite where the row has no cell.
 template <class Visit>
 void IntervalProgram::for_each_option(Cell cell, Visit visit) const {
   const Position to = to_[cell];
-  for (Cell i = backward_first_[to]; i < backward_end_[to]; ++i) {
-    const BackwardCell& right = backward_[i];
+  const auto visit_right = [&](const BackwardCell& right) {
     visit(Option{row_cell_[right.apex], right.cell}, row_value_[right.apex] + right.value);
+  };
+  if (size() <= kShort) {
+    for (Cell i = backward_first_[to]; i < backward_end_[to]; ++i) visit_right(backward_[i]);
+    return;
+  }
+  for (Cell i = block_first_[to]; i < block_end_[to]; ++i) {
+    const Block& block = blocks_[i];
+    for_each_meeting_cell(block, block.apexes & row_block_[block.number], visit_right);
   }
 }
 
@@ -163,14 +221,23 @@ int IntervalProgram::compare_options(Position from, const Option& one, const Opt
   return sign.value_or(0);
 }
 
-// Calls visit(option) for each apex, after all cells have been computed. `row`: the feasible cells (from, j) by j.
+// Calls visit(option) for each apex, after all cells have been computed. `row`: the feasible cells (from, j) by j;
+// `row_block`: which there are, by blocks.
 template <class Visit>
 void IntervalProgram::for_each_computed_option(Position from, Cell cell, const std::vector<Cell>& row,
-                                               Visit visit) const {
+                                               const std::vector<std::uint64_t>& row_block, Visit visit) const {
   const Position to = to_[cell];
-  for (Cell i = backward_first_[to]; i < backward_end_[to] && backward_[i].apex > from; ++i) {
-    const BackwardCell& right = backward_[i];
+  const auto visit_right = [&](const BackwardCell& right) {
     if (row[right.apex] != kNoCell) visit(Option{row[right.apex], right.cell});
+  };
+  if (size() <= kShort) {
+    for (Cell i = backward_first_[to]; i < backward_end_[to] && backward_[i].apex > from; ++i)
+      visit_right(backward_[i]);
+    return;
+  }
+  for (Cell i = block_first_[to]; i < block_end_[to] && blocks_[i].number >= from / kBlock; ++i) {
+    const Block& block = blocks_[i];
+    for_each_meeting_cell(block, block.apexes & row_block[block.number], visit_right);
   }
 }
 
@@ -178,15 +245,20 @@ void IntervalProgram::for_each_computed_option(Position from, Cell cell, const s
 void IntervalProgram::add_outside_costs(double limit, std::vector<double>& outside) const {
   outside[closing_cell()] = 0;
   std::vector<Cell> row(size(), kNoCell);
+  std::vector<std::uint64_t> row_block(size() / kBlock + 1, 0);
   for (Position from = 0; from + 1 < size(); ++from) {
-    for (Cell cell = first_[from]; cell < first_[from + 1]; ++cell) row[to_[cell]] = is_feasible(cell) ? cell : kNoCell;
+    for (Cell cell = first_[from]; cell < first_[from + 1]; ++cell) {
+      if (!is_feasible(cell)) continue;
+      row[to_[cell]] = cell;
+      row_block[to_[cell] / kBlock] |= std::uint64_t{1} << to_[cell] % kBlock;
+    }
     for (Cell cell = first_[from + 1]; cell-- > first_[from];) {
       const Position to = to_[cell];
       if (to == from + 1 || !is_feasible(cell) || outside[cell] < 0 || outside[cell] > limit) continue;
       const double own = is_side(from, to) ? 0 : length(points_[vertex_[from]], points_[vertex_[to]]).high;
       const double value = value_[cell].high;
       const double error = 8 * 0x1p-53 * (value + own);
-      for_each_computed_option(from, cell, row, [&](const Option& option) {
+      for_each_computed_option(from, cell, row, row_block, [&](const Option& option) {
         const double excess = own + (value_[option.left].high + value_[option.right].high) - value - error;
         const double cost = outside[cell] + std::max(0.0, excess);
         if (cost > limit) return;
@@ -194,7 +266,10 @@ void IntervalProgram::add_outside_costs(double limit, std::vector<double>& outsi
         for (const Cell side : {option.left, option.right}) outside[side] = std::min(outside[side], rounded);
       });
     }
-    for (Cell cell = first_[from]; cell < first_[from + 1]; ++cell) row[to_[cell]] = kNoCell;
+    for (Cell cell = first_[from]; cell < first_[from + 1]; ++cell) {
+      row[to_[cell]] = kNoCell;
+      row_block[to_[cell] / kBlock] = 0;
+    }
   }
 }
 

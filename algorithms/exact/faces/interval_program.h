@@ -26,7 +26,7 @@ namespace mwt {
 /// is kept. Values err by at most value_error() of themselves.
 ///
 /// For m cells O(L + m) space; time O(L + m) for short boundaries, in general the sum over the cells of the cells at
-/// one of their ends.
+/// one of their ends, divided by up to 64 where few of these meet cells of the other end (chains that face each other).
 class IntervalProgram {
  public:
   using Position = std::uint32_t;
@@ -100,13 +100,24 @@ class IntervalProgram {
     Cell cell;
     double value;
   };
+  // Those of a position `to` whose apex is in the same block of 64 positions, as bits: the backward cells from `first`
+  // on, by descending apex.
+  struct Block {
+    Position number;
+    Cell first;
+    std::uint64_t apexes;
+  };
   struct Interval {
     Position from;
     Cell cell;
   };
   static constexpr Cell kCopy = kNoCell;
+  static constexpr std::size_t kShort = 256;
+  static constexpr Position kBlock = 64;
 
   void lay_out_backward_cells();
+  void lay_out_blocks();
+  void add_backward_cell(Position from, Cell cell);
   void compute_row(Position from);
   [[nodiscard]] bool compute_cell(Position from, Cell cell);
   [[nodiscard]] Interval without_copy(const Interval& interval) const;
@@ -116,7 +127,10 @@ class IntervalProgram {
   template <class Visit>
   void for_each_option(Cell cell, Visit visit) const;
   template <class Visit>
-  void for_each_computed_option(Position from, Cell cell, const std::vector<Cell>& row, Visit visit) const;
+  void for_each_meeting_cell(const Block& block, std::uint64_t apexes, Visit visit) const;
+  template <class Visit>
+  void for_each_computed_option(Position from, Cell cell, const std::vector<Cell>& row,
+                                const std::vector<std::uint64_t>& row_block, Visit visit) const;
   void collect_diagonals(Position from, const Option& option, std::vector<Edge>& edges);
 
   [[nodiscard]] bool is_side(Position from, Position to) const {
@@ -140,10 +154,15 @@ class IntervalProgram {
   std::vector<Cell> backward_first_;
   std::vector<Cell> backward_end_;
   std::vector<BackwardCell> backward_;
+  // The same by blocks; only of boundaries longer than kShort.
+  std::vector<Cell> block_first_;
+  std::vector<Cell> block_end_;
+  std::vector<Block> blocks_;
 
-  // The current row by j: values (infinite where there is no cell) and cells.
+  // The current row by j: values (infinite where there is no cell) and cells, and which there are by blocks.
   std::vector<double> row_value_;
   std::vector<Cell> row_cell_;
+  std::vector<std::uint64_t> row_block_;
 
   std::vector<Option> close_;
   std::vector<Interval> stack_;
