@@ -62,7 +62,7 @@ class ExplorerTest(PageTestCase):
 
     def wait_until_complete(self):
         self.wait_for(
-            "explorer.solving.isIdle && explorer.shown && explorer.shown.isComplete && explorer.shown.size =="
+            "!explorer.isLoading && explorer.solving.isIdle && explorer.shown && explorer.shown.isComplete && explorer.shown.size =="
             " explorer.points.size"
         )
 
@@ -362,23 +362,75 @@ class ExplorerTest(PageTestCase):
         self.play(f"family=lattice&n=60&seed=3&first={algorithm}{more}&second=none&time_limit=10")
         self.assert_played_to_the_shown_triangulation()
 
-    def test_greedy_and_insertion_are_played_to_the_end(self):
-        for algorithm in ("greedy", "greedy_naive", "hull_insertion"):
+    def test_all_algorithms_with_steps_are_played_to_the_end(self):
+        for algorithm in ("greedy", "greedy_naive", "hull_insertion", "patch", "quadtree", "annealing"):
             self.play_and_compare(algorithm)
         self.play("family=uniform&n=50&seed=3&first=greedy&second=none&time_limit=10")
         self.assertIn("crosses none", self.value("(explorer.player.step(1), document.getElementById('play-text').textContent)"))
 
+    def step_texts(self, view, count):
+        self.play(view + "&second=none&time_limit=10")
+        return [self.value("(explorer.player.step(1), document.getElementById('play-text').textContent)") for _ in range(count)]
+
+    def test_steps_say_what_they_do(self):
+        self.assertRegex(self.step_texts("family=uniform&n=50&seed=1&first=hull_insertion", 1)[0], r"point \d+ is inserted, with 3 edges")
+        self.assertRegex(self.step_texts("family=uniform&n=300&seed=1&first=patch", 1)[0], r"edges? of a patch are replaced, shorter by 0")
+        cells = self.step_texts("family=uniform&n=50&seed=1&first=quadtree", 12)
+        self.assertIn("a cell that is split", cells[0])
+        self.assertTrue(any("a leaf and its" in text for text in cells), cells)
+        self.assertEqual(self.value("explorer.picture.boxes.length"), 4 * 12)
+        annealed = " ".join(self.step_texts("family=uniform&n=20&seed=1&first=annealing", 40))
+        self.assertIn("longer by", annealed)
+        self.assertIn("shorter by", annealed)
+
+    def test_pointing_at_an_edge_tells_why_it_left(self):
+        self.play("family=uniform&n=100&seed=1&first=exact&second=none&time_limit=10")
+        stages = self.value("explorer.player.trace.stages")
+        self.value(f"explorer.player.show({stages[1]['begin']})")  # the diamond test is done, the LMT-skeleton begins
+        edge = self.value(
+            "(() => { for (const { a, b } of explorer.player.trace.edges.values()) { const hint = explorer.player.trace.hintOf(a, b);"
+            " if (hint.apexes && hint.apexes[0] >= 0 && hint.apexes[1] >= 0 && hint.inside.some((point) => point >= 0)) return [a, b]; } })()"
+        )
+        (ax, ay), (bx, by) = self.on_screen(edge[0]), self.on_screen(edge[1])
+        self.mouse("mouseMoved", (ax + bx) / 2, (ay + by) / 2, pressed=False)
+        text = self.wait_for("document.getElementById('play-edge').textContent")
+        self.assertRegex(text, r"is empty, the other one holds point \d+")
+        self.assertRegex(text, r"the empty triangles with \d+ and \d+ have the shorter diagonal \d+–\d+")
+
+    def test_links_to_many_opened_points_hold_while_the_program_runs(self):
+        points = pathlib.Path(self.folder.name) / "many.csv"
+        points.write_text("".join(f"{(i * 7919) % 1009},{(i * i * 31 + i) % 1013}\n" for i in range(700)))
+        self.browser.choose_file("#file", points)
+        self.wait_for("explorer.points.size == 700")
+        self.wait_until_complete()
+        self.wait_for("location.hash.includes('kept=')")
+        self.drag(7, 20, -15)
+        self.wait_until_complete()
+        self.wait_for("location.hash.includes('edits=')")
+        self.assertIn("while this program runs", self.value("document.getElementById('link-note').textContent"))
+        before = self.coordinates()
+        link = self.value("location.hash")
+        self.open_view("family=circle&n=8&seed=1&first=greedy&second=none&time_limit=10")
+        self.open_view(link[1:])
+        self.assertEqual(self.coordinates(), before)
+        self.value("location.hash = 'kept=none&first=greedy&second=none'")
+        self.wait_for("document.getElementById('status').textContent.includes('this program does not have')")
+        self.browser.collect()
+        self.browser.problems = [each for each in self.browser.problems if "404" not in each]  # which the browser logs
+
     def test_what_has_no_steps_is_told(self):
-        self.value("document.getElementById('first').value = 'quadtree'")
+        self.value("document.getElementById('first').value = 'delaunay'")
         self.value("document.getElementById('play').click()")
-        self.wait_for("document.getElementById('status').textContent.includes('quadtree has no steps')")
+        self.wait_for("document.getElementById('status').textContent.includes('delaunay has no steps')")
 
     def test_nothing_is_cut_off(self):
         for width in (360, 390, 768, 1440):
             self.assert_fits(width)
 
 
-class GivenPointsTest(PageTestCase):
+class OfItsOwnTest(PageTestCase):
+    """With programs of their own."""
+
     def test_begins_with_the_given_file_and_ends_in_order(self):
         with tempfile.TemporaryDirectory(prefix="mwt_explorer_") as folder, browser.Browser() as page:
             points = pathlib.Path(folder) / "my points.csv"

@@ -72,7 +72,7 @@ export class Editing {
       this.#dragged = -1;
       return;
     }
-    const point = this.#picture.pointAt(event.offsetX, event.offsetY);
+    const point = this.#picture.pointAt(event.offsetX, event.offsetY, event.pointerType);
     if (this.#mode === "add") return;
     if (this.#mode === "delete") {
       if (point >= 0) this.#remove(point);

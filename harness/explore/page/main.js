@@ -4,22 +4,23 @@ import { Editing } from "./editing.js";
 import { compareEdges } from "./edges.js";
 import { Hunt } from "./hunt.js";
 import { Lesson } from "./lesson.js";
-import { linkOf, viewOf } from "./link.js";
+import { linkOf, promiseOf, viewOf } from "./link.js";
 import { Picture } from "./picture.js";
 import { Player } from "./play.js";
 import { PointList } from "./point_list.js";
-import { ask, askForPoints, catalogue, givenPoints, Refusal } from "./program.js";
+import { ask, askForPoints, catalogue, givenPoints, keepPoints, keptPoints, Refusal } from "./program.js";
 import { showResults } from "./results.js";
 import { Solving } from "./solving.js";
-import { commandsOf, pointsText, save, svgText, trianglesText } from "./take.js";
+import { commandsOf, MOST_IN_SVG, pointsText, save, svgText, trianglesText } from "./take.js";
 
 const element = (id) => document.getElementById(id);
 const points = new PointList();
 const picture = new Picture(element("picture"));
-let source = {};
 let shown = null; // the answer that is drawn
 let layers = [];
 let given = null;
+let described = 0; // how often describe() was called
+let loading = 0; // how many sets of points are being made or read
 let choices;
 let player;
 
@@ -62,7 +63,6 @@ function layersOf(answer) {
 
 function draw() {
   if (player?.isOpen) return;
-  picture.diamond = null;
   picture.show(points.coordinates, layers);
 }
 
@@ -81,12 +81,23 @@ function show(answer) {
   if (answer.isComplete) describe();
 }
 
-function describe() {
-  const view = { source, points, algorithms: choices.algorithms };
-  element("command").textContent = commandsOf(view);
-  const link = linkOf({ ...view, view: picture.view });
+// Points that do not go into a link are left with the program, and become the base of later changes.
+async function describe() {
+  const number = ++described;
+  element("command").textContent = commandsOf({ points, algorithms: choices.algorithms });
+  let link = linkOf({ points, algorithms: choices.algorithms, view: picture.view });
+  if (link === null) {
+    element("copy-link").disabled = true;
+    const kept = points.coordinates.slice();
+    const name = await keepPoints(kept).catch(() => null);
+    if (number !== described || !points.areAt(kept)) return;
+    if (name !== null) {
+      points.rebase({ kept: name });
+      link = linkOf({ points, algorithms: choices.algorithms, view: picture.view });
+    }
+  }
   element("copy-link").disabled = link === null;
-  element("link-note").textContent = link === null ? "these points are too many for a link; save them" : "";
+  element("link-note").textContent = link === null ? "These points are too many for a link; save them." : `${promiseOf(points.source)}.`;
   if (link !== null) history.replaceState(null, "", `#${link}`);
 }
 
@@ -106,8 +117,7 @@ function changed(final) {
 
 function showNewPoints(coordinates, newSource) {
   player.close();
-  source = newSource;
-  points.setBase(coordinates);
+  points.setBase(coordinates, newSource);
   picture.chosen = -1;
   layers = [];
   shown = null;
@@ -119,11 +129,14 @@ function showNewPoints(coordinates, newSource) {
 // Points from a promise of coordinates; keeps what is shown if it fails.
 async function load(coordinates, newSource, what) {
   say(`${what} …`);
+  ++loading;
   try {
     showNewPoints(await coordinates, newSource);
   } catch (error) {
     say(error instanceof Refusal ? error.message : "the program does not answer; does it still run?", true);
     return false;
+  } finally {
+    setTimeout(() => --loading); // when they are being solved
   }
   return true;
 }
@@ -152,6 +165,8 @@ async function restore(view) {
     choices.family = view.source.family;
     view.source.family.n = choices.family.n; // of a named instance its only one
     loaded = await load(generated(view.source.family), view.source, "making points");
+  } else if (view.source.kept) {
+    loaded = await load(keptPoints(view.source.kept), view.source, "looking for points");
   } else if (view.source.given && given?.name === view.source.given) {
     showNewPoints(given.points.slice(), view.source);
   } else if (view.coordinates.length > 0) {
@@ -181,9 +196,11 @@ function watchButtons(editing) {
   element("zoom-out").addEventListener("click", () => picture.zoom(0.8));
   element("play").addEventListener("click", playFirst);
   element("save-proof").addEventListener("click", saveProof);
-  element("picture").addEventListener("pointermove", (event) => {
-    if (player.isOpen && event.buttons === 0) player.hover(event.offsetX, event.offsetY);
-  });
+  for (const kind of ["pointermove", "pointerdown"]) {
+    element("picture").addEventListener(kind, (event) => {
+      if (player.isOpen && (kind === "pointerdown" || event.buttons === 0)) player.hover(event.offsetX, event.offsetY);
+    });
+  }
   element("undo").addEventListener("click", () => editing.undo());
   element("clear").addEventListener("click", () => {
     showNewPoints(new Float64Array(0), {});
@@ -203,9 +220,9 @@ function watchButtons(editing) {
     picture.redraw();
   });
   element("copy-link").addEventListener("click", async () => {
-    describe();
+    await describe();
     await navigator.clipboard.writeText(location.href);
-    element("link-note").textContent = "copied";
+    element("link-note").textContent = `Copied. ${promiseOf(points.source)}.`;
   });
   element("copy-command").addEventListener("click", () => navigator.clipboard.writeText(element("command").textContent));
   for (const button of document.querySelectorAll("[data-save]")) button.addEventListener("click", () => saveAs(button.dataset.save));
@@ -238,7 +255,8 @@ async function playFirst() {
 }
 
 function saveAs(what) {
-  if (what === "svg") save("triangulations.svg", svgText(points.coordinates, layers), "image/svg+xml");
+  if (what === "svg" && points.size > MOST_IN_SVG) say(`an SVG is for at most ${MOST_IN_SVG.toLocaleString("en")} points; take the PNG`, true);
+  else if (what === "svg") save("triangulations.svg", svgText(points.coordinates, layers), "image/svg+xml");
   if (what === "png") picture.toBlob((blob) => save("triangulations.png", blob));
   if (what === "points") save("points.csv", pointsText(points.coordinates), "text/csv");
   if (what !== "first" && what !== "second") return;
@@ -284,5 +302,5 @@ async function begin() {
 }
 
 // For measurements and tests.
-window.explorer = { points, picture, solving, get player() { return player; }, get shown() { return shown; } };
+window.explorer = { points, picture, solving, get player() { return player; }, get isLoading() { return loading > 0; }, get shown() { return shown; } };
 begin().catch(() => say("the program does not answer; does it still run?", true));
