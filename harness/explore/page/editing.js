@@ -35,6 +35,10 @@ export class Editing {
     canvas.addEventListener("keydown", (event) => this.#key(event));
   }
 
+  get isDragging() {
+    return this.#dragged >= 0;
+  }
+
   get #mode() {
     return document.querySelector('input[name="mode"]:checked').value;
   }

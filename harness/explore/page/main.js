@@ -23,6 +23,7 @@ let described = 0; // how often describe() was called
 let loading = 0; // how many sets of points are being made or read
 let choices;
 let player;
+let editing;
 
 function say(text, failed = false) {
   element("status").textContent = text;
@@ -67,7 +68,7 @@ function draw() {
 }
 
 function show(answer) {
-  if (answer.size !== points.size) return;
+  if (answer.size !== points.size) return picture.drawn();
   // Until its second triangulation is there, the earlier one of as many points stays: its edges move with the points.
   if (shown && shown !== answer && shown.size === answer.size && shown.algorithms.second.name === answer.algorithms.second.name)
     answer.earlierSecond = pair(shown).second ?? shown.earlierSecond;
@@ -78,7 +79,8 @@ function show(answer) {
   const removed = answer.instance?.duplicates ? `, ${answer.instance.duplicates} of them repeated` : "";
   const waits = !answer.optimum && !answer.isComplete && answer.seeksOptimum;
   say(`${points.size.toLocaleString("en")} points${removed}, ${answer.instance.hull_size} on the hull${waits ? "; the optimum is sought" : ""}`);
-  if (answer.isComplete) describe();
+  if (answer.isComplete && !editing?.isDragging) describe();
+  return picture.drawn();
 }
 
 // Points that do not go into a link are left with the program, and become the base of later changes.
@@ -276,7 +278,7 @@ async function begin() {
     if (points.size > 0) solve(true);
   });
   given = await givenPoints();
-  const editing = new Editing(element("picture"), picture, points, changed);
+  editing = new Editing(element("picture"), picture, points, changed);
   editing.player = player;
   watchButtons(editing);
   new Hunt(

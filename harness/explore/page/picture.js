@@ -3,6 +3,7 @@
 
 const FRAME_MS = 9; // drawn at a time
 const BATCH = 4000; // edges or points between two looks at the clock
+const WIDE_BATCH = 20; // numbers of a path of wide lines
 const MOST_STROKED = 40000; // visible edges of one colour; more are added up pixel by pixel
 const MOST_DOTS = 60000; // visible points drawn as dots
 const NEAR = { mouse: 14, touch: 24 }; // pixels: a point so close is meant
@@ -68,7 +69,9 @@ export class Picture {
   #coordinates = new Float64Array(0);
   #layers = []; // [{edges, colour, dashed, width}]
   #isDrawing = false;
-  #isStale = false; // the drawing under way is not of what is to be shown
+  #isStale = false; // the drawing under way, if any, is not of what is to be shown
+  #awaited = []; // to be called after the drawing that begins next
+  #awaitedNow = []; // and after the one under way
   #pending = false;
   #lastFrame = 0;
   #settle = 0;
@@ -228,17 +231,24 @@ export class Picture {
     return context;
   }
 
-  // Draws all anew: at once if it is quick, else slice by slice. A drawing under way is finished before the next begins,
-  // so that there is always something newer to see, however often this is called.
+  // Draws all anew in the next frame, slice by slice if it takes longer than one. A drawing under way is finished before
+  // the next begins, so that there is always something newer to see, however often this is called.
   redraw() {
-    if (this.#width === 0) return;
     this.#isStale = true;
-    if (!this.#isDrawing) this.#draw();
+    if (this.#isDrawing || this.#width === 0) return;
+    this.#isDrawing = true;
+    requestAnimationFrame(() => this.#draw());
+  }
+
+  // Resolves when everything up to now has been drawn.
+  drawn() {
+    if (!this.#isStale && !this.#isDrawing) return Promise.resolve();
+    return new Promise((resolve) => (this.#isStale ? this.#awaited : this.#awaitedNow).push(resolve));
   }
 
   #draw() {
-    this.#isDrawing = true;
     this.#isStale = false;
+    this.#awaitedNow.push(...this.#awaited.splice(0));
     const begin = performance.now();
     const buffer = { canvas: this.#spare, view: this.view, width: this.#width, height: this.#height };
     const context = this.#sized(buffer.canvas);
@@ -257,6 +267,7 @@ export class Picture {
       this.#shownBuffer = buffer;
       this.#isDrawing = false;
       this.#showBuffer();
+      for (const resolve of this.#awaitedNow.splice(0)) resolve();
       if (this.#isStale) this.redraw();
     };
     next();
@@ -265,10 +276,11 @@ export class Picture {
   *#slices(context, buffer) {
     const layers = this.#layers;
     const places = yield* this.#places(buffer);
-    const isLarge = this.#count() > 20000;
+    const count = this.#count();
+    const thinner = count > 20000 ? 0.6 : count > 400 ? 0.8 : 1;
     for (const layer of layers) {
       context.strokeStyle = this.#colour(layer.colour);
-      context.lineWidth = isLarge ? layer.width * 0.6 : layer.width;
+      context.lineWidth = thinner < 1 && layer.width < 2 ? Math.min(1, layer.width * thinner) : layer.width * thinner;
       context.setLineDash(layer.dashed ? [7, 4] : []);
       context.globalAlpha = layer.alpha ?? 1;
       const visible = yield* this.#visibleEdges(layer.edges, places, buffer);
@@ -315,8 +327,10 @@ export class Picture {
   }
 
   *#strokeEdges(context, visible, places) {
-    for (let begin = 0; begin < visible.length; begin += BATCH) {
-      const end = Math.min(visible.length, begin + BATCH);
+    // Browsers draw long paths much faster if lines are one pixel wide, and much slower if they are wider.
+    const batch = context.lineWidth * (window.devicePixelRatio || 1) <= 1 ? BATCH : WIDE_BATCH;
+    for (let begin = 0; begin < visible.length; begin += batch) {
+      const end = Math.min(visible.length, begin + batch);
       context.beginPath();
       for (let i = begin; i < end; i += 2) {
         context.moveTo(places[visible[i]], places[visible[i] + 1]);

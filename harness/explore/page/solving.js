@@ -11,8 +11,8 @@ export function solutionOf(json, bytes) {
 }
 
 export class Solving {
-  latency = []; // milliseconds from a change of the points to its first triangulation, for measurements
-  completeLatency = []; // and to all of its answer
+  latency = []; // milliseconds from a change of the points until its first triangulation is drawn, for measurements
+  completeLatency = []; // and until all of its answer is
   #task = null; // what is to be solved, newest only
   #changedAt = 0;
   #abort = null;
@@ -20,7 +20,7 @@ export class Solving {
   #beganAt = 0;
   #timer = 0;
 
-  // `show(answer, isLast)` gets what is known so far; `fail(message)` the program's refusal.
+  // `show(answer)` gets what is known so far and returns a promise that it is drawn; `fail(message)` the program's refusal.
   constructor(show, fail) {
     this.show = show;
     this.fail = fail;
@@ -89,17 +89,15 @@ export class Solving {
       if (json.type === "run") answer.runs[json.slot] = { ...asked[json.slot], run: json.run, ...solutionOf(json, answered) };
       if (json.type === "optimum") answer.optimum = { ...json, ...solutionOf(json, answered) };
       if (json.type === "rating") answer.runs[json.slot].run = json.run;
-      if (json.type !== "run" && json.type !== "optimum") return;
-      this.show(answer);
-      if (json.type === "run" && json.slot === 0) {
-        this.#isFirstDone = true;
-        this.latency.push(performance.now() - changedAt);
-        if (this.#task) this.#giveUpLater();
-      }
+      if (json.type !== "run") return; // the ratings follow the optimum, and the end them
+      const drawn = this.show(answer);
+      if (json.slot > 0) return;
+      this.#isFirstDone = true;
+      drawn.then(() => this.latency.push(performance.now() - changedAt));
+      if (this.#task) this.#giveUpLater();
     };
     await ask(request, bytes, onFrame, signal);
     answer.isComplete = true;
-    this.show(answer);
-    this.completeLatency.push(performance.now() - changedAt);
+    this.show(answer).then(() => this.completeLatency.push(performance.now() - changedAt));
   }
 }
