@@ -276,14 +276,16 @@ export class Picture {
   *#slices(context, buffer) {
     const layers = this.#layers;
     const places = yield* this.#places(buffer);
-    const count = this.#count();
+    const all = [];
+    for (const { edges } of layers) all.push(yield* this.#visibleEdges(edges, places, buffer));
+    const count = all.reduce((sum, visible) => sum + visible.length / 2, 0);
     const thinner = count > 20000 ? 0.6 : count > 400 ? 0.8 : 1;
-    for (const layer of layers) {
+    for (const [position, layer] of layers.entries()) {
       context.strokeStyle = this.#colour(layer.colour);
       context.lineWidth = thinner < 1 && layer.width < 2 ? Math.min(1, layer.width * thinner) : layer.width * thinner;
       context.setLineDash(layer.dashed ? [7, 4] : []);
       context.globalAlpha = layer.alpha ?? 1;
-      const visible = yield* this.#visibleEdges(layer.edges, places, buffer);
+      const visible = all[position];
       if (visible.length > 2 * MOST_STROKED) yield* this.#coverEdges(context, layer, visible, places);
       else yield* this.#strokeEdges(context, visible, places);
     }

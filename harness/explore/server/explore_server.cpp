@@ -259,10 +259,10 @@ class StreamedJob {
       return true;
     }
     if (answer_ < 0) {
-      static const std::string kGone = encoded(
+      static const std::string gone = encoded(
           {R"({"type":"error","message":"the process that does the jobs has ended; end mwt explore and start it again"})",
            ""});
-      if (!sink.write(kGone.data(), kGone.size())) return false;
+      if (!sink.write(gone.data(), gone.size())) return false;
       sink.done();
       return true;
     }
