@@ -141,7 +141,8 @@ export class Trace {
 
   #describeGroup({ b, value }, steps) {
     if (b !== NONE) return `point ${b} is inserted, with ${plural(steps.filter(({ kind }) => kind === "add").length, "edge")}`;
-    return `${plural(steps.filter(({ kind }) => kind === "remove").length, "edge")} of a patch are replaced, shorter by ${value.toPrecision(4)}`;
+    const removed = steps.filter(({ kind }) => kind === "remove").length;
+    return `${plural(removed, "edge")} of a patch ${removed === 1 ? "is" : "are"} replaced, shorter by ${value.toPrecision(4)}`;
   }
 
   // What happened to an edge at that position, and why.
