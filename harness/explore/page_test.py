@@ -7,7 +7,10 @@ import csv
 import json
 import pathlib
 import shlex
+import signal
+import socket
 import statistics
+import struct
 import subprocess
 import sys
 import tempfile
@@ -35,6 +38,33 @@ class Explorer:
         self.process.terminate()
         self.process.stdout.close()
         return self.process.wait(timeout=PATIENCE_S)
+
+
+def descendants(process):
+    children = pathlib.Path(f"/proc/{process}/task/{process}/children").read_text().split()
+    return [each for child in children for each in (int(child), *descendants(child))]
+
+
+def is_alive(process):
+    try:
+        state = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0]
+    except FileNotFoundError:
+        return False
+    return state != "Z"
+
+
+def long_job(address):
+    """A connection whose job takes a minute."""
+    host, path = address.removeprefix("http://").split("/", 1)
+    algorithm = {"name": "annealing", "parameters": {"proposals": "100000000000"}}
+    text = json.dumps({"job": "solve", "algorithms": [algorithm], "optimum": False, "time_limit_s": 60}).encode()
+    text += b" " * (-len(text) % 8)
+    points = struct.pack("<8d", 0, 0, 4, 0, 4.5, 3, 0, 3)
+    body = struct.pack("<II", len(text), len(points)) + text + points
+    connection = socket.create_connection(host.split(":"))
+    head = f"POST /{path}job HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/octet-stream\r\nContent-Length: {len(body)}\r\n\r\n"
+    connection.sendall(head.encode() + body)
+    return connection
 
 
 class ExplorerTest(PageTestCase):
@@ -430,6 +460,29 @@ class ExplorerTest(PageTestCase):
 
 class OfItsOwnTest(PageTestCase):
     """With programs of their own."""
+
+    def test_ends_with_all_that_it_started(self):
+        for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            explorer = Explorer()
+            with long_job(explorer.address):
+                started = self.started_by(explorer.process.pid)
+                explorer.process.send_signal(ending)
+                self.assertEqual(explorer.process.wait(timeout=5), -ending if ending == signal.SIGKILL else 0)
+                explorer.process.stdout.close()
+            end = time.monotonic() + 5
+            while any(is_alive(process) for process in started) and time.monotonic() < end:
+                time.sleep(0.02)
+            self.assertEqual([process for process in started if is_alive(process)], [], ending)
+
+    def started_by(self, process):
+        """The processes below this one, once there are three: that of the jobs, a job, its worker."""
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            all_of_them = descendants(process)
+            if len(all_of_them) == 3:
+                return all_of_them
+            time.sleep(0.02)
+        return self.fail(f"{len(all_of_them)} processes")
 
     def test_begins_with_the_given_file_and_ends_in_order(self):
         with tempfile.TemporaryDirectory(prefix="mwt_explorer_") as folder, browser.Browser() as page:
