@@ -338,7 +338,12 @@ export class Player {
     let best = null;
     let least = near * near;
     const c = this.#points.coordinates;
+    const [left, top] = this.#picture.toWorld(x - near, y - near);
+    const [right, bottom] = this.#picture.toWorld(x + near, y + near);
     for (const edge of this.trace.edges.values()) {
+      const [a, b] = [2 * edge.a, 2 * edge.b];
+      if ((c[a] < left && c[b] < left) || (c[a] > right && c[b] > right)) continue;
+      if ((c[a + 1] < bottom && c[b + 1] < bottom) || (c[a + 1] > top && c[b + 1] > top)) continue;
       const [ax, ay] = this.#picture.toScreen(c[2 * edge.a], c[2 * edge.a + 1]);
       const [bx, by] = this.#picture.toScreen(c[2 * edge.b], c[2 * edge.b + 1]);
       const length = (bx - ax) ** 2 + (by - ay) ** 2 || 1;
