@@ -208,6 +208,17 @@ class ExplorerTest(PageTestCase):
         self.assertTrue(self.value("explorer.points.isEdited"))
         self.assert_equals_solve()
 
+    def test_a_finger_needs_not_be_precise(self):
+        self.browser.show_as(390, 844, dark=False)
+        self.open_view("family=circle&n=12&seed=1&first=greedy&second=optimum&time_limit=10")
+        x, y = self.on_screen(3)
+        self.browser.dispatch("dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x + 14, "y": y - 14}])
+        self.browser.dispatch("dispatchTouchEvent", type="touchMove", touchPoints=[{"x": x + 30, "y": y - 40}])
+        self.browser.dispatch("dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        self.wait_until_complete()
+        self.assertTrue(self.value("explorer.points.isEdited"))
+        self.assertEqual(self.value("explorer.picture.chosen"), 3)
+
     def press(self, *keys):
         for key in keys:
             event = {"key": key, "text": key} if len(key) == 1 else {"key": key, "code": key}

@@ -44,9 +44,10 @@ export class Editing {
   }
 
   undo() {
-    if (!this.#points.undo()) return;
+    if (!this.#points.undo()) return false;
     this.choose(-1);
     this.#changed(true);
+    return true;
   }
 
   choose(point) {

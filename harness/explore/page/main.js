@@ -7,7 +7,7 @@ import { Lesson } from "./lesson.js";
 import { linkOf, promiseOf, viewOf } from "./link.js";
 import { Picture } from "./picture.js";
 import { Player } from "./play.js";
-import { PointList } from "./point_list.js";
+import { LARGEST_UNDO, PointList } from "./point_list.js";
 import { ask, askForPoints, catalogue, givenPoints, keepPoints, keptPoints, Refusal } from "./program.js";
 import { showResults } from "./results.js";
 import { Solving } from "./solving.js";
@@ -203,7 +203,9 @@ function watchButtons(editing) {
       if (player.isOpen && (kind === "pointerdown" || event.buttons === 0)) player.hover(event.offsetX, event.offsetY);
     });
   }
-  element("undo").addEventListener("click", () => editing.undo());
+  element("undo").addEventListener("click", () => {
+    if (!editing.undo()) say(`there is nothing to undo; changes are kept of up to ${LARGEST_UNDO.toLocaleString("en")} points`);
+  });
   element("clear").addEventListener("click", () => {
     showNewPoints(new Float64Array(0), {});
     showResults(null);

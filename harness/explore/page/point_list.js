@@ -1,7 +1,7 @@
 // The points that are shown, where each of them comes from, and what was changed by hand.
 
 const MOST_UNDO = 50;
-const LARGEST_UNDO = 20000; // points; larger sets are not kept for undoing
+export const LARGEST_UNDO = 20000; // points; larger sets are not kept for undoing
 
 export class PointList {
   coordinates = new Float64Array(0);

@@ -176,8 +176,11 @@ class AcceptingServer : public httplib::Server {
   // Also if serve() is about to begin.
   void end() {
     ends_ = true;
-    while (!has_ended_) {
-      stop();
+    for (bool has_stopped = false; !has_ended_;) {
+      if (!has_stopped && is_running()) {
+        stop();  // not to be called twice
+        has_stopped = true;
+      }
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
