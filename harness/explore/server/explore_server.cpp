@@ -20,6 +20,7 @@
 #include <deque>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -28,6 +29,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "harness/explore/server/access.h"
 #include "harness/explore/server/arriving_requests.h"
 #include "harness/explore/server/kept_points.h"
@@ -55,6 +57,7 @@ class ConnectionThreads {
     {
       const std::lock_guard lock(mutex_);
       ends_ = true;
+      for (const int socket : served_) shutdown(socket, SHUT_RDWR);  // so that nobody waits for them any more
     }
     changed_.notify_all();
     for (std::thread& thread : threads_) thread.join();
@@ -79,6 +82,7 @@ class ConnectionThreads {
       if (ends_) return;
       const int socket = waiting_.front();
       waiting_.pop_front();
+      served_.insert(socket);
       lock.unlock();
       changed_.notify_all();
       try {
@@ -86,6 +90,8 @@ class ConnectionThreads {
       } catch (const std::exception&) {  // out of memory while its head was read
       }
       shutdown(socket, SHUT_RDWR);
+      lock.lock();
+      served_.erase(socket);
       close(socket);
     }
   }
@@ -95,6 +101,7 @@ class ConnectionThreads {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<int> waiting_;
+  std::set<int> served_;
   bool ends_ = false;
 };
 
@@ -312,6 +319,12 @@ std::string_view type_of(std::string_view name) {
   return kBytes;
 }
 
+// httplib would read a longer body to its end.
+bool is_too_long(const httplib::Request& request) {
+  const auto length = parse_whole_number<std::uint64_t>(request.get_header_value("Content-Length"));
+  return request.method == "POST" && (!length || *length > kMaxBody);
+}
+
 // Requests that httplib would read without a limit, or in ways that the page needs not.
 bool has_unusual_body(const httplib::Request& request) {
   return request.has_header("Transfer-Encoding") || request.has_header("Content-Encoding") ||
@@ -416,6 +429,8 @@ class ExploreServer::Impl {
       refuse(response, 404, "there is no such thing here");
     } else if (request.get_header_value("Content-Type") != kBytes) {
       refuse(response, 415, std::string("a body is ") + kBytes);
+    } else if (is_too_long(request)) {
+      refuse(response, 413, fmt::format("a body has at most {} bytes", kMaxBody));
     } else {
       return httplib::Server::HandlerResponse::Unhandled;
     }
