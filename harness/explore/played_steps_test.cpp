@@ -168,6 +168,26 @@ TEST(PlayedSteps, GroupWhatIsOneStep) {
   EXPECT_EQ(steps, patches.steps.size());
 }
 
+TEST(PlayedSteps, AreInTheUnitOfThePoints) {
+  const std::vector<Point> points = generate("uniform", 200, 1);
+  std::vector<Point> huge;
+  for (const Point& p : points) huge.push_back({std::ldexp(p.x, 600), std::ldexp(p.y, 600)});
+  for (const std::string algorithm : {"quadtree", "patch", "annealing"}) {
+    const Instance small = make_instance(points, "test"), large = make_instance(huge, "test");
+    const Played of_small = play(algorithm, small, {}), of_large = play(algorithm, large, {});
+    const PlayedSteps one = played_trace(of_small.steps, of_small.execution.solution, small.set);
+    const PlayedSteps other = played_trace(of_large.steps, of_large.execution.solution, large.set);
+    ASSERT_EQ(one.steps.size(), other.steps.size());
+    for (std::size_t i = 0; i < one.steps.size(); ++i) {
+      EXPECT_EQ(one.steps[i].a, other.steps[i].a);
+      EXPECT_NEAR(std::ldexp(other.steps[i].value, -600), one.steps[i].value, 1e-12);
+    }
+    ASSERT_EQ(one.boxes.size(), other.boxes.size());
+    for (std::size_t i = 0; i < one.boxes.size(); ++i)
+      EXPECT_EQ(std::ldexp(one.boxes[i].left, 600), other.boxes[i].left);
+  }
+}
+
 TEST(EdgeWitnesses, AreInsideHalvesOfTheDiamondAndCornersOfEmptyTriangles) {
   const std::vector<Point> points = {{0, 0}, {4, 0}, {2, 1}, {2, -3}, {1, 3}};
   EdgeWitnesses witnesses(points);
