@@ -105,12 +105,12 @@ export class Trace {
   layers() {
     const groups = { plain: [], certain: [], leaf: [], cut: [], open: Array.from({ length: SHADES }, () => []) };
     for (const { a, b, mark, value } of this.edges.values()) {
-      const group = mark === "open" ? groups.open[Math.min(SHADES - 1, Math.floor(value * SHADES))] : groups[mark];
+      const group = mark === "open" ? groups.open[Math.min(SHADES - 1, Math.floor(Math.sqrt(value) * SHADES))] : groups[mark];
       group.push(a, b);
     }
     const layer = (edges, colour, width, more = {}) => ({ edges: Uint32Array.from(edges), colour, width, dashed: false, ...more });
     const layers = [layer(groups.plain, "--shared", 1.2)];
-    groups.open.forEach((edges, shade) => layers.push(layer(edges, "--second", 1.6, { alpha: 0.25 + (0.75 * shade) / (SHADES - 1) })));
+    groups.open.forEach((edges, shade) => layers.push(layer(edges, "--second", 1.6, { alpha: 0.4 + (0.6 * shade) / (SHADES - 1) })));
     layers.push(layer([...groups.certain, ...groups.leaf], "--certain", 2.2), layer(groups.cut, "--first", 2.6));
     return this.position > 0 ? [...layers, ...this.#lastStep(layer)] : layers;
   }
