@@ -16,11 +16,8 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <deque>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -32,6 +29,7 @@
 #include "base/number_text.h"
 #include "harness/explore/server/access.h"
 #include "harness/explore/server/arriving_requests.h"
+#include "harness/explore/server/connection_threads.h"
 #include "harness/explore/server/kept_points.h"
 #include "harness/explore/server/page_files.h"
 
@@ -42,68 +40,7 @@ namespace {
 constexpr std::size_t kMaxBody = std::size_t{64} << 20;
 constexpr std::size_t kMaxKept = std::size_t{256} << 20;
 constexpr const char* kLoopback = "127.0.0.1";
-constexpr std::size_t kThreads = 32;
-constexpr std::size_t kMaxWaitingConnections = 256;
 constexpr const char* kBytes = "application/octet-stream";
-
-// Threads for connections. Where all are busy and kMaxWaitingConnections wait, add() waits, too; a connection that
-// fails ends alone.
-class ConnectionThreads {
- public:
-  explicit ConnectionThreads(std::function<void(int socket)> serve) : serve_(std::move(serve)) {
-    for (std::size_t i = 0; i < kThreads; ++i) threads_.emplace_back([this] { work(); });
-  }
-  ~ConnectionThreads() {
-    {
-      const std::lock_guard lock(mutex_);
-      ends_ = true;
-      for (const int socket : served_) shutdown(socket, SHUT_RDWR);  // so that nobody waits for them any more
-    }
-    changed_.notify_all();
-    for (std::thread& thread : threads_) thread.join();
-    for (const int socket : waiting_) close(socket);
-  }
-  ConnectionThreads(const ConnectionThreads&) = delete;
-  ConnectionThreads& operator=(const ConnectionThreads&) = delete;
-
-  void add(int socket) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return waiting_.size() < kMaxWaitingConnections || ends_; });
-    waiting_.push_back(socket);
-    lock.unlock();
-    changed_.notify_all();
-  }
-
- private:
-  void work() {
-    for (;;) {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return !waiting_.empty() || ends_; });
-      if (ends_) return;
-      const int socket = waiting_.front();
-      waiting_.pop_front();
-      served_.insert(socket);
-      lock.unlock();
-      changed_.notify_all();
-      try {
-        serve_(socket);
-      } catch (const std::exception&) {  // out of memory while its head was read
-      }
-      shutdown(socket, SHUT_RDWR);
-      lock.lock();
-      served_.erase(socket);
-      close(socket);
-    }
-  }
-
-  std::function<void(int socket)> serve_;
-  std::vector<std::thread> threads_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<int> waiting_;
-  std::set<int> served_;
-  bool ends_ = false;
-};
 
 using Clock = std::chrono::steady_clock;
 
@@ -173,7 +110,7 @@ class AcceptingServer : public httplib::Server {
 
   // Serves until stop() is called.
   void serve() {
-    ConnectionThreads threads([this](int socket) { answer(socket); });
+    ConnectionThreads threads(32, 256, [this](int socket) { answer(socket); });
     ArrivingRequests arriving({}, [&threads](int socket) { threads.add(socket); });
     accepted_ = [&arriving](int socket) { arriving.add(socket); };
     if (!ends_) listen_after_bind();
