@@ -2,7 +2,7 @@
 # Makes what the gallery draws, with the program itself, after mwt report: plots/gallery.sh MWT RESULTS_FOLDER
 #   RESULTS_FOLDER/gallery/SET.csv        the points
 #   RESULTS_FOLDER/gallery/SET.NAME.csv   the triangles of one algorithm, SET.NAME.json the output of mwt solve
-#   RESULTS_FOLDER/gallery/tour.html      the source report's examples step by step, of the study claims (make_tour.py)
+#   RESULTS_FOLDER/gallery/tour.html      recorded steps, of the study claims (make_tour.py)
 set -euo pipefail
 
 mwt=$(realpath "$1")
@@ -60,6 +60,3 @@ solve hull_only exact exact
 "$mwt" generate clustered --n 150 --seed 2 -o grid_points.csv
 solve grid_points quadtree quadtree
 solve grid_points exact exact
-
-# The worked examples and what the report claims about, step by step.
-"$plots/make_tour.py" "$mwt" tour.html >/dev/null

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Writes a page that plays recorded steps of algorithms without the program: plots/make_tour.py MWT OUT.html
 
-The steps are those that `mwt explore` sends its page, and the player is that page's own. Another page embeds it by
-plots/library/tour.py; plots/gallery.sh writes it to RESULTS_FOLDER/gallery/tour.html.
+The steps are those that `mwt explore` sends its page, and the player is that page's own. plots/gallery.sh writes it to
+RESULTS_FOLDER/gallery/tour.html, from where the report's page embeds it.
 """
 import argparse
 import base64
