@@ -2,6 +2,7 @@
 # Makes what the gallery draws, with the program itself, after mwt report: plots/gallery.sh MWT RESULTS_FOLDER
 #   RESULTS_FOLDER/gallery/SET.csv        the points
 #   RESULTS_FOLDER/gallery/SET.NAME.csv   the triangles of one algorithm, SET.NAME.json the output of mwt solve
+#   RESULTS_FOLDER/gallery/tour.html      recorded steps, of the study claims (make_tour.py)
 set -euo pipefail
 
 mwt=$(realpath "$1")
@@ -10,7 +11,7 @@ studies=$plots/../harness/studies
 results=$(realpath "$2")
 mkdir -p "$results/gallery"
 cd "$results/gallery"
-rm -f -- *.csv *.json
+rm -f -- *.csv *.json tour.html
 
 solve() {  # solve SET NAME ALGORITHM [OPTION...]
   local set=$1 name=$2 algorithm=$3

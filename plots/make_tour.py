@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Writes a page that plays recorded steps of algorithms without the program: plots/make_tour.py MWT OUT.html
 
-The steps are those that `mwt explore` sends its page, and the player is that page's own.
+The steps are those that `mwt explore` sends its page, and the player is that page's own. plots/gallery.sh writes it to
+RESULTS_FOLDER/gallery/tour.html, from where the report's page embeds it.
 """
 import argparse
 import base64
@@ -19,6 +20,8 @@ from library import html_page
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE = HERE.parent / "harness" / "explore" / "page"
 MODULES = ("frames.js", "program.js", "picture.js", "play.js")
+
+FLAT = {"greedy_corridor"}  # families that are drawn as high as wide
 
 # (title, text, family, n, algorithm, parameters)
 EXAMPLES = [
@@ -46,6 +49,24 @@ EXAMPLES = [
         "Insertion’s trap",
         "On insertion_trap every inserted point is joined to far corners, and nothing is ever repaired.",
         "insertion_trap", 40, "hull_insertion", {},
+    ),
+    (
+        "Patches",
+        "From the Delaunay triangulation, patches of a few triangles are replaced by the lightest triangulation of their polygon, as long as"
+        " one improves.",
+        "uniform", 60, "patch", {"start": "delaunay"},
+    ),
+    (
+        "The quadtree",
+        "A square is divided in four until its cells hold at most four points. Each leaf gets its lightest triangulation; what joins the"
+        " leaves is the constrained Delaunay triangulation that keeps their edges.",
+        "uniform", 40, "quadtree", {},
+    ),
+    (
+        "Annealing",
+        "Random flips: shorter edges always, longer ones the more seldom the longer they are and the later it is. In the end, flips that"
+        " shorten.",
+        "uniform", 25, "annealing", {"proposals": "3000"},
     ),
     (
         "How an optimum is proved",
@@ -102,6 +123,7 @@ def recorded(explorer, example):
         "title": title,
         "text": text,
         "command": command,
+        "is_flat": family in FLAT,
         "points": base64.b64encode(points).decode(),
         "steps": steps,
         "bytes": base64.b64encode(data).decode(),

@@ -84,7 +84,7 @@ class PageTest(PageTestCase):
         end = time.monotonic() + 20
         while not self.value(f"{inside}.querySelectorAll('#example option').length") and time.monotonic() < end:
             time.sleep(0.05)
-        self.assertEqual(self.value(f"{inside}.querySelectorAll('#example option').length"), 6)
+        self.assertEqual(self.value(f"{inside}.querySelectorAll('#example option').length"), 9)
         self.assertIn("greedy_naive", self.value(f"{inside}.getElementById('command').textContent"))
         self.value("document.getElementById('theme').click()")
         self.assertEqual(self.value(f"{inside}.documentElement.dataset.theme"), "dark")

@@ -9,6 +9,7 @@
 
 #include "algorithms/common/start.h"
 #include "algorithms/flip/flip.h"
+#include "algorithms/step_trace.h"
 #include "base/error.h"
 #include "geometry/mesh/distance.h"
 #include "geometry/numbers/scaling.h"
@@ -33,6 +34,12 @@ double change_by_flip(const PlanarMesh& mesh, MeshEdge e) {
          rounded_distance(mesh.point(mesh.origin(h)), mesh.point(mesh.target(h)));
 }
 
+void flip_and_note(PlanarMesh& mesh, MeshEdge e, double change, StepTrace& steps) {
+  const Edge removed = mesh.labelled_edge(e);
+  mesh.flip(e);
+  steps.flips.push_back({removed, mesh.labelled_edge(e), -change * mesh.unit()});
+}
+
 AnnealingOptions options_of(const Parameters& parameters, const PlanarMesh& mesh, std::uint64_t seed) {
   const std::int64_t proposals = parameters.integer("proposals");
   const double initial = parameters.real("initial_temperature"), final = parameters.real("final_temperature");
@@ -54,9 +61,15 @@ Solution run_annealing(Points points, Context& context) {
   PlanarMesh mesh = start();
   const ScopedPhase phase(context, "annealing");
   const Triangulation before = mesh.triangulation();
+  StepTrace* const steps = context.steps;
+  if (steps != nullptr) steps->start = before.triangles;
   const AnnealingOptions options = options_of(context.parameters, mesh, context.seed);
   const AnnealingResult result = anneal(mesh, options, context);
-  const FlipResult flips = flip_to_local_optimum(mesh, FlipOrder::stack, context);
+  const FlipResult flips = flip_to_local_optimum(mesh, FlipOrder::stack, context, steps != nullptr);
+  if (steps != nullptr) {
+    steps->annealed = steps->flips.size();
+    steps->flips.insert(steps->flips.end(), flips.trace.begin(), flips.trace.end());
+  }
   Solution solution;
   solution.triangulation = mesh.triangulation();
   const std::vector<Point> scaled = exactly_scaled(points);  // whose lengths keep their digits
@@ -92,7 +105,11 @@ AnnealingResult anneal(PlanarMesh& mesh, const AnnealingOptions& options, const 
     const double change = change_by_flip(mesh, e);
     if (change > 0 && unit(random) >= std::exp(-change / temperature)) continue;
     if (!mesh.is_flippable(e)) continue;
-    mesh.flip(e);
+    if (context.steps == nullptr) {
+      mesh.flip(e);
+    } else {
+      flip_and_note(mesh, e, change, *context.steps);
+    }
     ++result.accepted;
   }
   return result;
@@ -111,6 +128,7 @@ AlgorithmInfo annealing_entry() {
   info.space = "O(n)";
   info.max_n = 1'000'000;
   info.version = 2;
+  info.has_steps = true;
   info.parameters = {
       {"proposals", ParameterType::integer, "0", "flips proposed; 0: 300 per point"},
       {"initial_temperature", ParameterType::real, "0.1", "in mean edge lengths of the start"},

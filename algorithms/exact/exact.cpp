@@ -32,6 +32,7 @@
 #include "algorithms/polygon_dp/convex_polygon.h"
 #include "algorithms/proof/convex_proof.h"
 #include "algorithms/proof_trace.h"
+#include "algorithms/step_trace.h"
 #include "algorithms/two_chains/two_chains.h"
 #include "geometry/convex_hull.h"
 #include "geometry/numbers/interval.h"
@@ -215,6 +216,9 @@ class ExactSolver {
   FaceSolution solve(CandidateGraph graph) {
     const ScopedPhase phase(context_, "faces");
     FaceSolution faces = solve_faces(std::move(graph), context_, bounds_deadline_);
+    if (context_.steps != nullptr) {
+      for (Edge& cut : context_.steps->cuts) cut = make_edge(order_.original[cut.a], order_.original[cut.b]);
+    }
     count(faces);
     return faces;
   }
@@ -315,6 +319,7 @@ AlgorithmInfo exact_entry() {
   info.space = "about 320 bytes per point; 380 if certain edges do not connect all points";
   info.exactness = Exactness::exact;
   info.has_proofs = true;
+  info.has_steps = true;
   info.max_n = 10'000'000;
   info.version = 3;
   info.function = exact;

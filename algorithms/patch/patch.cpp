@@ -10,7 +10,9 @@
 #include "algorithms/common/beta_skeleton_edges.h"
 #include "algorithms/common/start.h"
 #include "algorithms/patch/patch_polygon.h"
+#include "algorithms/step_trace.h"
 #include "base/error.h"
+#include "geometry/mesh/distance.h"
 
 namespace mwt {
 
@@ -34,6 +36,31 @@ float long_squared_length(const PlanarMesh& mesh, std::size_t share) {
   const auto place = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / share);
   std::nth_element(lengths.begin(), place, lengths.end(), std::greater<float>());
   return *place;
+}
+
+double length_in_mesh(const PlanarMesh& mesh, const Edge& edge) {
+  return rounded_distance(mesh.point(edge.a), mesh.point(edge.b));
+}
+
+// What the last improvement changed.
+TracedPatch traced_patch(const PlanarMesh& mesh, const PatchPolygon& polygon) {
+  std::vector<Edge> before = polygon.present(), after;
+  for (const MeshEdge e : polygon.inner()) after.push_back(make_edge(mesh.origin(2 * e), mesh.target(2 * e)));
+  std::sort(before.begin(), before.end());
+  std::sort(after.begin(), after.end());
+  const auto in_caller = [&](const Edge& edge) { return make_edge(mesh.label(edge.a), mesh.label(edge.b)); };
+  TracedPatch traced;
+  for (const Edge& edge : before) {
+    if (std::binary_search(after.begin(), after.end(), edge)) continue;
+    traced.removed.push_back(in_caller(edge));
+    traced.gain += length_in_mesh(mesh, edge) * mesh.unit();
+  }
+  for (const Edge& edge : after) {
+    if (std::binary_search(before.begin(), before.end(), edge)) continue;
+    traced.added.push_back(in_caller(edge));
+    traced.gain -= length_in_mesh(mesh, edge) * mesh.unit();
+  }
+  return traced;
 }
 
 class PatchSearch {
@@ -86,6 +113,7 @@ class PatchSearch {
     }
     if (!polygon_.improve()) return;
     ++result_.improved;
+    if (context_.steps != nullptr) context_.steps->patches.push_back(traced_patch(mesh_, polygon_));
     failed_.fill(0);
     if (polygon_.is_enclosed()) return;
     for (const Halfedge side : polygon_.boundary()) {
@@ -156,6 +184,7 @@ Solution run_patch(Points points, Context& context) {
     return options.beta_skeleton ? start_mesh_with_beta_skeleton(points, context) : start_mesh(points, context);
   };
   PlanarMesh mesh = start();
+  if (context.steps != nullptr) context.steps->start = mesh.triangulation().triangles;
   const ScopedPhase phase(context, "patch");
   const PatchResult result = improve_by_patches(mesh, options, context);
   Solution solution;
@@ -192,6 +221,7 @@ AlgorithmInfo patch_entry() {
   info.time = "O(n k^3) per pass; a few passes in practice";
   info.space = "O(n + k^2)";
   info.max_n = 10'000'000;
+  info.has_steps = true;
   info.parameters = {
       {"k", ParameterType::integer, "6", "triangles per patch, 2 to 128"},
       {"long_k", ParameterType::integer, "0", "triangles per patch around the longest 0.2% of edges; 0: 4 k; 1: none"},

@@ -29,6 +29,8 @@ class PatchPolygon {
   [[nodiscard]] const std::vector<Halfedge>& boundary() const { return boundary_; }
   /// The edges inside, slits excluded.
   [[nodiscard]] const std::vector<MeshEdge>& inner() const { return inner_; }
+  /// The ends of inner() before the last improve(), in the mesh's numbering.
+  [[nodiscard]] const std::vector<Edge>& present() const { return present_; }
 
  private:
   // A place in the cyclic list of the boundary while it grows.

@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "algorithms/quadtree/leaf_triangulation.h"
+#include "algorithms/step_trace.h"
 #include "base/error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/delaunay.h"
@@ -45,11 +48,13 @@ Quadtree timed_quadtree(Points points, int capacity, Context& context) {
   return {points, capacity};
 }
 
-// The edges of all leaves' triangulations.
-std::vector<Edge> leaf_edges(Points points, const Quadtree& tree, int capacity, QuadtreeTriangulation& result) {
+// The edges of all leaves' triangulations. `steps` may be null.
+std::vector<Edge> leaf_edges(Points points, const Quadtree& tree, int capacity, QuadtreeTriangulation& result,
+                             StepTrace* steps) {
   std::vector<Edge> edges;
   edges.reserve(2 * points.size());
   for (const Quadtree::Cell& cell : tree.cells()) {
+    if (steps != nullptr) steps->cells.push_back({cell.x, cell.y, cell.right, cell.top, cell.is_leaf, {}});
     if (!cell.is_leaf) continue;
     ++result.leaves;
     const std::span<const Index> chosen = tree.points_of(cell);
@@ -57,8 +62,39 @@ std::vector<Edge> leaf_edges(Points points, const Quadtree& tree, int capacity, 
     result.overfull_leaves += is_overfull ? 1 : 0;
     const std::vector<Edge> local = is_overfull ? delaunay_edges(points, chosen) : minimum_weight_edges(points, chosen);
     edges.insert(edges.end(), local.begin(), local.end());
+    if (steps != nullptr) steps->cells.back().edges = local;
   }
   return edges;
+}
+
+// Depth-first order: the smallest cell that holds both points of an edge is the last one with both in its range.
+std::vector<Edge> joints_by_depth(const Quadtree& tree, const std::vector<Edge>& edges) {
+  std::vector<std::uint32_t> place(tree.order().size());
+  for (std::uint32_t i = 0; i < place.size(); ++i) place[tree.order()[i]] = i;
+  std::vector<std::pair<int, Edge>> joints;  // by depth of that cell, deepest first
+  for (const Edge& edge : edges) {
+    const auto [low, high] = std::minmax(place[edge.a], place[edge.b]);
+    // Cells behind the last one that begins at or before `low` hold other points; its ancestors come before it.
+    const auto behind = std::upper_bound(tree.cells().begin(), tree.cells().end(), low,
+                                         [](std::uint32_t p, const Quadtree::Cell& cell) { return p < cell.first; });
+    for (auto cell = behind; cell != tree.cells().begin();) {
+      --cell;
+      if (cell->last <= high) continue;
+      if (!cell->is_leaf) joints.emplace_back(-cell->depth, edge);
+      break;
+    }
+  }
+  std::stable_sort(joints.begin(), joints.end(),
+                   [](const auto& one, const auto& other) { return one.first < other.first; });
+  std::vector<Edge> result;
+  for (const auto& [depth, edge] : joints) result.push_back(edge);
+  return result;
+}
+
+void scale_up(std::vector<TracedCell>& cells, int e) {
+  for (TracedCell& cell : cells) {
+    for (double* const side : {&cell.left, &cell.bottom, &cell.right, &cell.top}) *side = std::ldexp(*side, e);
+  }
 }
 
 Solution solve(Points points, Context& context) {
@@ -78,19 +114,24 @@ Solution solve(Points points, Context& context) {
 }  // namespace
 
 QuadtreeTriangulation quadtree_triangulation(Points points, int capacity, Context& context) {
-  if (exact_scale(points) != 0) return quadtree_triangulation(exactly_scaled(points), capacity, context);
+  if (const int e = exact_scale(points); e != 0) {
+    QuadtreeTriangulation result = quadtree_triangulation(exactly_scaled(points), capacity, context);
+    if (context.steps != nullptr) scale_up(context.steps->cells, e);
+    return result;
+  }
   QuadtreeTriangulation result;
   const Quadtree tree = timed_quadtree(points, capacity, context);
   std::vector<Edge> constraints;
   {
     const ScopedPhase phase(context, "leaves");
-    constraints = leaf_edges(points, tree, capacity, result);
+    constraints = leaf_edges(points, tree, capacity, result, context.steps);
   }
   result.constraints = constraints.size();
   const ScopedPhase phase(context, "merge");
   PlanarMesh mesh = PlanarMesh::delaunay(points);
   insert_constraints(mesh, constraints);
   result.triangulation = mesh.triangulation();
+  if (context.steps != nullptr) context.steps->joints = joints_by_depth(tree, edges_of(result.triangulation));
   return result;
 }
 
@@ -104,6 +145,7 @@ AlgorithmInfo quadtree_entry() {
   info.time = "O(n log n)";
   info.space = "O(n)";
   info.max_n = 1'000'000;
+  info.has_steps = true;
   info.parameters = {{"capacity", ParameterType::integer, "4", fmt::format("points per leaf, 1 to {}", kMaxLeaf), {}}};
   info.function = solve;
   return info;

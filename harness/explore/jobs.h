@@ -47,7 +47,7 @@ struct JobLimits {
 ///   optimum   source, status, optimum_lower, optimum_upper, note, wall_time_s, edges, triangles; bytes as of a run:
 ///   the
 ///             lightest triangulation that an exact algorithm returned
-///   trace     steps, start_edges (counts), stages [{name, reason, begin}]; bytes: bytes_of(PlayedSteps)
+///   trace     steps, boxes, start_edges (counts), stages [{name, reason, begin}]; bytes: bytes_of(PlayedSteps)
 ///   proof     bytes: a proof file for mwt_verify
 ///   hunted    alpha, evaluations; bytes: the points, if they are worse than those before
 ///   rating    slot, run {...}: with optimum and alpha, as mwt solve --with-optimum states them

@@ -7,7 +7,10 @@ import csv
 import json
 import pathlib
 import shlex
+import signal
+import socket
 import statistics
+import struct
 import subprocess
 import sys
 import tempfile
@@ -37,6 +40,33 @@ class Explorer:
         return self.process.wait(timeout=PATIENCE_S)
 
 
+def descendants(process):
+    children = pathlib.Path(f"/proc/{process}/task/{process}/children").read_text().split()
+    return [each for child in children for each in (int(child), *descendants(child))]
+
+
+def is_alive(process):
+    try:
+        state = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()[0]
+    except FileNotFoundError:
+        return False
+    return state != "Z"
+
+
+def long_job(address):
+    """A connection whose job takes a minute."""
+    host, path = address.removeprefix("http://").split("/", 1)
+    algorithm = {"name": "annealing", "parameters": {"proposals": "100000000000"}}
+    text = json.dumps({"job": "solve", "algorithms": [algorithm], "optimum": False, "time_limit_s": 60}).encode()
+    text += b" " * (-len(text) % 8)
+    points = struct.pack("<8d", 0, 0, 4, 0, 4.5, 3, 0, 3)
+    body = struct.pack("<II", len(text), len(points)) + text + points
+    connection = socket.create_connection(host.split(":"))
+    head = f"POST /{path}job HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/octet-stream\r\nContent-Length: {len(body)}\r\n\r\n"
+    connection.sendall(head.encode() + body)
+    return connection
+
+
 class ExplorerTest(PageTestCase):
     @classmethod
     def setUpClass(cls):
@@ -62,7 +92,7 @@ class ExplorerTest(PageTestCase):
 
     def wait_until_complete(self):
         self.wait_for(
-            "explorer.solving.isIdle && explorer.shown && explorer.shown.isComplete && explorer.shown.size =="
+            "!explorer.isLoading && explorer.solving.isIdle && explorer.shown && explorer.shown.isComplete && explorer.shown.size =="
             " explorer.points.size"
         )
 
@@ -177,6 +207,17 @@ class ExplorerTest(PageTestCase):
         self.wait_until_complete()
         self.assertTrue(self.value("explorer.points.isEdited"))
         self.assert_equals_solve()
+
+    def test_a_finger_needs_not_be_precise(self):
+        self.browser.show_as(390, 844, dark=False)
+        self.open_view("family=circle&n=12&seed=1&first=greedy&second=optimum&time_limit=10")
+        x, y = self.on_screen(3)
+        self.browser.dispatch("dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x + 14, "y": y - 14}])
+        self.browser.dispatch("dispatchTouchEvent", type="touchMove", touchPoints=[{"x": x + 30, "y": y - 40}])
+        self.browser.dispatch("dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        self.wait_until_complete()
+        self.assertTrue(self.value("explorer.points.isEdited"))
+        self.assertEqual(self.value("explorer.picture.chosen"), 3)
 
     def press(self, *keys):
         for key in keys:
@@ -362,23 +403,98 @@ class ExplorerTest(PageTestCase):
         self.play(f"family=lattice&n=60&seed=3&first={algorithm}{more}&second=none&time_limit=10")
         self.assert_played_to_the_shown_triangulation()
 
-    def test_greedy_and_insertion_are_played_to_the_end(self):
-        for algorithm in ("greedy", "greedy_naive", "hull_insertion"):
+    def test_all_algorithms_with_steps_are_played_to_the_end(self):
+        for algorithm in ("greedy", "greedy_naive", "hull_insertion", "patch", "quadtree", "annealing"):
             self.play_and_compare(algorithm)
         self.play("family=uniform&n=50&seed=3&first=greedy&second=none&time_limit=10")
         self.assertIn("crosses none", self.value("(explorer.player.step(1), document.getElementById('play-text').textContent)"))
 
+    def step_texts(self, view, count):
+        self.play(view + "&second=none&time_limit=10")
+        return [self.value("(explorer.player.step(1), document.getElementById('play-text').textContent)") for _ in range(count)]
+
+    def test_steps_say_what_they_do(self):
+        self.assertRegex(self.step_texts("family=uniform&n=50&seed=1&first=hull_insertion", 1)[0], r"point \d+ is inserted, with 3 edges")
+        self.assertRegex(self.step_texts("family=uniform&n=300&seed=1&first=patch", 1)[0], r"edges? of a patch (is|are) replaced, shorter by 0")
+        cells = self.step_texts("family=uniform&n=50&seed=1&first=quadtree", 12)
+        self.assertIn("a cell that is split", cells[0])
+        self.assertTrue(any("a leaf and its" in text for text in cells), cells)
+        self.assertEqual(self.value("explorer.picture.boxes.length"), 4 * 12)
+        annealed = " ".join(self.step_texts("family=uniform&n=20&seed=1&first=annealing", 40))
+        self.assertIn("longer by", annealed)
+        self.assertIn("shorter by", annealed)
+
+    def test_pointing_at_an_edge_tells_why_it_left(self):
+        self.play("family=uniform&n=100&seed=1&first=exact&second=none&time_limit=10")
+        stages = self.value("explorer.player.trace.stages")
+        self.value(f"explorer.player.show({stages[1]['begin']})")  # the diamond test is done, the LMT-skeleton begins
+        edge = self.value(
+            "(() => { for (const { a, b } of explorer.player.trace.edges.values()) { const hint = explorer.player.trace.hintOf(a, b);"
+            " if (hint.apexes && hint.apexes[0] >= 0 && hint.apexes[1] >= 0 && hint.inside.some((point) => point >= 0)) return [a, b]; } })()"
+        )
+        (ax, ay), (bx, by) = self.on_screen(edge[0]), self.on_screen(edge[1])
+        self.mouse("mouseMoved", (ax + bx) / 2, (ay + by) / 2, pressed=False)
+        text = self.wait_for("document.getElementById('play-edge').textContent")
+        self.assertRegex(text, r"is empty, the other one holds point \d+")
+        self.assertRegex(text, r"the empty triangles with \d+ and \d+ have the shorter diagonal \d+–\d+")
+
+    def test_links_to_many_opened_points_hold_while_the_program_runs(self):
+        points = pathlib.Path(self.folder.name) / "many.csv"
+        points.write_text("".join(f"{(i * 7919) % 1009},{(i * i * 31 + i) % 1013}\n" for i in range(700)))
+        self.browser.choose_file("#file", points)
+        self.wait_for("explorer.points.size == 700")
+        self.wait_until_complete()
+        self.wait_for("location.hash.includes('kept=')")
+        self.drag(7, 20, -15)
+        self.wait_until_complete()
+        self.wait_for("location.hash.includes('edits=')")
+        self.assertIn("while this program runs", self.value("document.getElementById('link-note').textContent"))
+        before = self.coordinates()
+        link = self.value("location.hash")
+        self.open_view("family=circle&n=8&seed=1&first=greedy&second=none&time_limit=10")
+        self.open_view(link[1:])
+        self.assertEqual(self.coordinates(), before)
+        self.value("location.hash = 'kept=none&first=greedy&second=none'")
+        self.wait_for("document.getElementById('status').textContent.includes('this program does not have')")
+        self.browser.collect()
+        self.browser.problems = [each for each in self.browser.problems if "404" not in each]  # which the browser logs
+
     def test_what_has_no_steps_is_told(self):
-        self.value("document.getElementById('first').value = 'quadtree'")
+        self.value("document.getElementById('first').value = 'delaunay'")
         self.value("document.getElementById('play').click()")
-        self.wait_for("document.getElementById('status').textContent.includes('quadtree has no steps')")
+        self.wait_for("document.getElementById('status').textContent.includes('delaunay has no steps')")
 
     def test_nothing_is_cut_off(self):
         for width in (360, 390, 768, 1440):
             self.assert_fits(width)
 
 
-class GivenPointsTest(PageTestCase):
+class OfItsOwnTest(PageTestCase):
+    """With programs of their own."""
+
+    def test_ends_with_all_that_it_started(self):
+        for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            explorer = Explorer()
+            with long_job(explorer.address):
+                started = self.started_by(explorer.process.pid)
+                explorer.process.send_signal(ending)
+                self.assertEqual(explorer.process.wait(timeout=5), -ending if ending == signal.SIGKILL else 0)
+                explorer.process.stdout.close()
+            end = time.monotonic() + 5
+            while any(is_alive(process) for process in started) and time.monotonic() < end:
+                time.sleep(0.02)
+            self.assertEqual([process for process in started if is_alive(process)], [], ending)
+
+    def started_by(self, process):
+        """The processes below this one, once there are three: that of the jobs, a job, its worker."""
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            all_of_them = descendants(process)
+            if len(all_of_them) == 3:
+                return all_of_them
+            time.sleep(0.02)
+        return self.fail(f"{len(all_of_them)} processes")
+
     def test_begins_with_the_given_file_and_ends_in_order(self):
         with tempfile.TemporaryDirectory(prefix="mwt_explorer_") as folder, browser.Browser() as page:
             points = pathlib.Path(folder) / "my points.csv"

@@ -1,13 +1,17 @@
 #include "harness/explore/played_run.h"
 
+#include <fmt/core.h>
+
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "algorithms/proof_trace.h"
 #include "algorithms/step_trace.h"
 #include "harness/explore/frame.h"
+#include "harness/explore/played_proof.h"
 #include "harness/explore/played_steps.h"
 
 namespace mwt {
@@ -16,12 +20,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kMaxSteps = 300'000;
+
 std::string trace_frame(const PlayedSteps& played) {
+  if (played.steps.size() > kMaxSteps) {
+    throw std::runtime_error(fmt::format("{} steps; at most {} are played, so take fewer points or less work",
+                                         played.steps.size(), kMaxSteps));
+  }
   Json stages = Json::array();
   for (const PlayedStage& stage : played.stages)
     stages.push_back({{"name", stage.name}, {"reason", stage.reason}, {"begin", stage.begin}});
-  const Json json = {
-      {"type", "trace"}, {"steps", played.steps.size()}, {"start_edges", played.start.size()}, {"stages", stages}};
+  const Json json = {{"type", "trace"},
+                     {"steps", played.steps.size()},
+                     {"boxes", played.boxes.size()},
+                     {"start_edges", played.start.size()},
+                     {"stages", stages}};
   return encoded({json.dump(), bytes_of(played)});
 }
 
@@ -45,8 +58,9 @@ void start_played_run(ProcessPool& pool, Request request, const Instance& instan
   if (request.algorithm->has_proofs) request.proof = &proof;
   if (request.algorithm->has_steps) request.steps = &steps;
   const auto enclose = [&](const Execution& execution) -> std::string {
-    if (proof.is_complete) return trace_frame(played_proof(proof, execution.solution, instance.set));
-    if (!steps.kept.empty() || !steps.start.empty()) return trace_frame(played_trace(steps, instance.set));
+    if (proof.is_complete) return trace_frame(played_proof(proof, steps, execution.solution, instance.set));
+    const bool has_steps = !steps.kept.empty() || !steps.start.empty() || !steps.cells.empty();
+    if (has_steps) return trace_frame(played_trace(steps, execution.solution, instance.set));
     if (!execution.solution.flips.empty()) return trace_frame(played_flips(execution.solution, instance.set));
     return "";
   };

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <set>
 #include <utility>
 
-#include "algorithms/proof_trace.h"
 #include "algorithms/step_trace.h"
 #include "harness/explore/frame.h"
 
@@ -16,130 +13,117 @@ namespace {
 
 using Kind = PlayedStep::Kind;
 
-PlayedStep step_of(Kind kind, const Edge& edge, const Edge& other = {kNoIndex, kNoIndex}, double value = 0) {
-  return {kind, edge.a, edge.b, other.a, other.b, value};
-}
-
-std::vector<Edge> edges_in_input(const Solution& solution, const PointSet& set) {
-  return edges_of({set.input_count, to_input_indices(set, solution.triangulation.triangles)});
-}
-
-// Puts the stages of a proof together.
-class ProofPlayer {
+// Puts together what an algorithm noted.
+class TracePlayer {
  public:
-  ProofPlayer(const ProofTrace& proof, const PointSet& set) : proof_(proof), set_(set) {}
+  TracePlayer(const StepTrace& trace, const PointSet& set) : trace_(trace), set_(set) {}
 
   PlayedSteps play(const Solution& solution) {
-    survive_the_diamond_test();
-    for (const EdgeConclusions& conclusions : proof_.edges) conclude(conclusions);
-    weigh_open_edges();
-    arrive_at(edges_in_input(solution, set_));
+    played_.start = edges_of({set_.input_count, to_input_indices(set_, trace_.start)});
+    shown_.insert(played_.start.begin(), played_.start.end());
+    if (!trace_.kept.empty()) {
+      play_greedy();
+    } else if (!trace_.cells.empty()) {
+      play_quadtree();
+    } else if (!trace_.patches.empty()) {
+      play_patches();
+    } else if (!trace_.flips.empty()) {
+      play_annealing();
+    } else if (!trace_.splits.empty()) {
+      play_insertion();
+    } else {
+      played_.begin_stage("start", "is in the start, which nothing changes");
+    }
+    played_.arrive_at(solution, set_, shown_, "result", "is in what the algorithm returns");
     return std::move(played_);
   }
 
  private:
-  [[nodiscard]] Index in_input(Index position) const {
-    return set_.input_indices[proof_.order.empty() ? position : proof_.order[position]];
-  }
-
   [[nodiscard]] Edge in_input(const Edge& edge) const {
-    return edge.a == edge.b ? Edge{kNoIndex, kNoIndex} : make_edge(in_input(edge.a), in_input(edge.b));
+    return make_edge(set_.input_indices[edge.a], set_.input_indices[edge.b]);
   }
 
-  static Edge open_edge(const DualRegion& region, std::size_t position) {
-    const auto& [a, b] = region.open_edges[position];
-    return {region.places[a], region.places[b]};
+  void put(const Edge& edge) {
+    if (shown_.insert(edge).second) played_.add(Kind::add, edge);
   }
 
-  void begin_stage(std::string name, std::string reason) {
-    played_.stages.push_back({std::move(name), std::move(reason), played_.steps.size()});
+  void drop(const Edge& edge) {
+    if (shown_.erase(edge) > 0) played_.add(Kind::remove, edge);
   }
 
-  // Whatever is concluded or weighed later has passed the test.
-  void survive_the_diamond_test() {
-    std::set<Edge> candidates;
-    for (const EdgeConclusions& conclusions : proof_.edges) {
-      for (const Edge& edge : conclusions.edges) candidates.insert(in_input(edge));
-    }
-    for (const DualRegion& region : proof_.regions) {
-      for (std::size_t i = 0; i < region.open_edges.size(); ++i) candidates.insert(in_input(open_edge(region, i)));
-    }
-    begin_stage("diamond test",
-                "passes the diamond test: one of the two triangles on it with base angles pi/4.6 is empty");
-    for (const Edge& edge : candidates) played_.steps.push_back(step_of(Kind::add, edge));
-    shown_ = std::move(candidates);
+  // Makes the steps that `make` adds one.
+  template <class Make>
+  void group(Index point, double gain, const Make& make) {
+    const std::size_t head = played_.steps.size();
+    played_.add(Kind::group, {0, point}, {kNoIndex, kNoIndex}, gain);
+    make();
+    played_.steps[head].a = static_cast<Index>(played_.steps.size() - head - 1);
   }
 
-  void conclude(const EdgeConclusions& conclusions) {
-    const bool is_certain =
-        conclusions.reason == EdgeReason::uncrossed || conclusions.reason == EdgeReason::in_beta_skeleton;
-    const auto [name, reason] = description_of(conclusions.reason);
-    if (conclusions.edges.empty()) return;
-    begin_stage(name, reason);
-    for (std::size_t i = 0; i < conclusions.edges.size(); ++i) {
-      const Edge edge = in_input(conclusions.edges[i]);
-      if (is_certain) {
-        played_.steps.push_back(step_of(Kind::certain, edge));
-        continue;
-      }
-      const Edge crossed = i < conclusions.crossed.size() ? in_input(conclusions.crossed[i]) : Edge{kNoIndex, kNoIndex};
-      played_.steps.push_back(step_of(Kind::remove, edge, crossed));
-      shown_.erase(edge);
+  void play_greedy() {
+    played_.begin_stage("greedy", "is the shortest that crosses none taken before");
+    for (const Edge& edge : trace_.kept) put(in_input(edge));
+  }
+
+  // A split joins the corners to the point; where the point lies on a side, that side leaves first. Splits of the same
+  // point follow each other.
+  void play_insertion() {
+    played_.begin_stage("insertion", "joins an inserted point to a corner of the triangle that holds it");
+    for (std::size_t i = 0; i < trace_.splits.size();) {
+      const Index point = trace_.splits[i].point;
+      group(set_.input_indices[point], 0, [&] {
+        for (; i < trace_.splits.size() && trace_.splits[i].point == point; ++i) split(trace_.splits[i]);
+      });
     }
   }
 
-  static std::pair<std::string, std::string> description_of(EdgeReason reason) {
-    switch (reason) {
-      case EdgeReason::not_locally_minimal:
-        return {"LMT-skeleton",
-                "leaves: in every quadrilateral of empty triangles of candidates around it, a flip shortens it"};
-      case EdgeReason::crosses_certain: return {"crossing edges", "leaves: it crosses an edge that is certain"};
-      case EdgeReason::uncrossed: return {"certain edges", "is certain: no triangle of candidates can take its place"};
-      case EdgeReason::in_beta_skeleton:
-        return {"beta-skeleton", "is certain: no point sees it at more than 58 degrees"};
+  void split(const TracedSplit& split) {
+    for (std::size_t i = 0; i < split.triangle.size(); ++i) {
+      if (split.triangle[i] == split.opposite)
+        drop(in_input({split.triangle[(i + 1) % 3], split.triangle[(i + 2) % 3]}));
     }
-    return {};
+    for (const Index corner : split.triangle) put(in_input({corner, split.point}));
   }
 
-  // The first dual values of each region: those of the linear program before any decision.
-  void weigh_open_edges() {
-    double largest = 0;
-    for (const DualRegion& region : proof_.regions) {
-      for (const double price : prices_of(region)) largest = std::max(largest, price);
-    }
-    const bool any =
-        std::ranges::any_of(proof_.regions, [](const DualRegion& region) { return !region.open_edges.empty(); });
-    if (!any) return;
-    begin_stage("open faces", "is open: a face's program decides; the shade is its dual value");
-    for (const DualRegion& region : proof_.regions) {
-      const std::vector<double> prices = prices_of(region);
-      for (std::size_t i = 0; i < region.open_edges.size(); ++i) {
-        const double price = i < prices.size() && largest > 0 ? prices[i] / largest : 0;
-        played_.steps.push_back(step_of(Kind::open, in_input(open_edge(region, i)), {kNoIndex, kNoIndex}, price));
-      }
+  void play_patches() {
+    played_.begin_stage("patches", "is of the lightest triangulation of its patch");
+    for (const TracedPatch& patch : trace_.patches) {
+      group(kNoIndex, patch.gain, [&] {
+        for (const Edge& edge : patch.removed) drop(in_input(edge));
+        for (const Edge& edge : patch.added) put(in_input(edge));
+      });
     }
   }
 
-  static std::vector<double> prices_of(const DualRegion& region) {
-    std::vector<double> prices;
-    if (region.tree.empty()) return prices;
-    for (const std::int64_t dual : region.tree.front().edge_duals)
-      prices.push_back(std::ldexp(std::abs(static_cast<double>(dual)), region.unit_exponent));
-    return prices;
-  }
-
-  void arrive_at(const std::vector<Edge>& solution) {
-    begin_stage("optimum", "is in the optimum");
-    const std::set<Edge> wanted(solution.begin(), solution.end());
-    for (const Edge& edge : shown_) {
-      if (!wanted.contains(edge)) played_.steps.push_back(step_of(Kind::remove, edge));
-    }
-    for (const Edge& edge : solution) {
-      if (!shown_.contains(edge)) played_.steps.push_back(step_of(Kind::add, edge));
+  void play_annealing() {
+    played_.begin_stage("annealing", "is flipped: shorter, or longer and accepted at this temperature");
+    for (std::size_t i = 0; i < trace_.flips.size(); ++i) {
+      if (i == trace_.annealed)
+        played_.begin_stage("flips", "is flipped: the other diagonal of its quadrilateral is shorter");
+      const Flip& flip = trace_.flips[i];
+      played_.add(Kind::flip, in_input(flip.removed), in_input(flip.added), flip.gain);
+      shown_.erase(in_input(flip.removed));
+      shown_.insert(in_input(flip.added));
     }
   }
 
-  const ProofTrace& proof_;
+  void play_quadtree() {
+    played_.begin_stage("cells", "is in the lightest triangulation of its leaf's points");
+    for (const TracedCell& cell : trace_.cells) play_cell(cell);
+    played_.begin_stage("merge", "joins leaves: in the constrained Delaunay triangulation that keeps their edges");
+    for (const Edge& edge : trace_.joints) put(in_input(edge));
+  }
+
+  void play_cell(const TracedCell& cell) {
+    const auto box = static_cast<Index>(played_.boxes.size());
+    played_.boxes.push_back({cell.left, cell.bottom, cell.right, cell.top});
+    const std::size_t head = played_.steps.size();
+    played_.add(Kind::cell, {box, 0}, {cell.is_leaf ? Index{0} : kNoIndex, kNoIndex});
+    for (const Edge& edge : cell.edges) put(in_input(edge));
+    played_.steps[head].b = static_cast<Index>(played_.steps.size() - head - 1);
+  }
+
+  const StepTrace& trace_;
   const PointSet& set_;
   PlayedSteps played_;
   std::set<Edge> shown_;
@@ -152,12 +136,38 @@ void append_values(std::string& bytes, const Values& values) {
 
 }  // namespace
 
+void PlayedSteps::begin_stage(std::string name, std::string reason) {
+  stages.push_back({std::move(name), std::move(reason), steps.size()});
+}
+
+void PlayedSteps::add(PlayedStep::Kind kind, const Edge& edge, const Edge& other, double value) {
+  steps.push_back({kind, edge.a, edge.b, other.a, other.b, value});
+}
+
+void PlayedSteps::arrive_at(const Solution& solution, const PointSet& set, const std::set<Edge>& shown,
+                            const std::string& name, const std::string& reason) {
+  const std::vector<Edge> end = edges_in_input(solution, set);
+  const std::set<Edge> wanted(end.begin(), end.end());
+  if (wanted == shown) return;
+  begin_stage(name, reason);
+  for (const Edge& edge : shown) {
+    if (!wanted.contains(edge)) add(Kind::remove, edge);
+  }
+  for (const Edge& edge : end) {
+    if (!shown.contains(edge)) add(Kind::add, edge);
+  }
+}
+
+std::vector<Edge> edges_in_input(const Solution& solution, const PointSet& set) {
+  return edges_of({set.input_count, to_input_indices(set, solution.triangulation.triangles)});
+}
+
 PlayedSteps played_flips(const Solution& solution, const PointSet& set) {
   const auto in_input = [&](const Edge& edge) {
     return make_edge(set.input_indices[edge.a], set.input_indices[edge.b]);
   };
   PlayedSteps played;
-  played.stages.push_back({"flips", "is flipped: the other diagonal of its quadrilateral is shorter", 0});
+  played.begin_stage("flips", "is flipped: the other diagonal of its quadrilateral is shorter");
   const std::vector<Edge> end = edges_in_input(solution, set);
   std::set<Edge> edges(end.begin(), end.end());
   for (auto flip = solution.flips.rbegin(); flip != solution.flips.rend(); ++flip) {
@@ -165,51 +175,19 @@ PlayedSteps played_flips(const Solution& solution, const PointSet& set) {
     edges.insert(in_input(flip->removed));
   }
   for (const Flip& flip : solution.flips)
-    played.steps.push_back(step_of(Kind::flip, in_input(flip.removed), in_input(flip.added), flip.gain));
+    played.add(Kind::flip, in_input(flip.removed), in_input(flip.added), flip.gain);
   played.start.assign(edges.begin(), edges.end());
   return played;
 }
 
-PlayedSteps played_proof(const ProofTrace& proof, const Solution& solution, const PointSet& set) {
-  return ProofPlayer(proof, set).play(solution);
-}
-
-namespace {
-
-// A split joins the corners to the point; where the point lies on a side, that side leaves first.
-void play_split(const TracedSplit& split, const PointSet& set, std::set<Edge>& edges, std::vector<PlayedStep>& steps) {
-  const auto in_input = [&](Index a, Index b) { return make_edge(set.input_indices[a], set.input_indices[b]); };
-  for (std::size_t i = 0; i < split.triangle.size(); ++i) {
-    if (split.triangle[i] != split.opposite) continue;
-    const Edge side = in_input(split.triangle[(i + 1) % 3], split.triangle[(i + 2) % 3]);
-    if (edges.erase(side) > 0) steps.push_back(step_of(Kind::remove, side));
-  }
-  for (const Index corner : split.triangle) {
-    const Edge edge = in_input(corner, split.point);
-    if (edges.insert(edge).second) steps.push_back(step_of(Kind::add, edge));
-  }
-}
-
-}  // namespace
-
-PlayedSteps played_trace(const StepTrace& trace, const PointSet& set) {
-  PlayedSteps played;
-  if (!trace.kept.empty()) {
-    played.stages.push_back({"greedy", "is the shortest that crosses none taken before", 0});
-    for (const Edge& edge : trace.kept)
-      played.steps.push_back(step_of(Kind::add, make_edge(set.input_indices[edge.a], set.input_indices[edge.b])));
-    return played;
-  }
-  played.stages.push_back({"insertion", "joins an inserted point to a corner of the triangle that holds it", 0});
-  played.start = edges_of({set.input_count, to_input_indices(set, trace.start)});
-  std::set<Edge> edges(played.start.begin(), played.start.end());
-  for (const TracedSplit& split : trace.splits) play_split(split, set, edges, played.steps);
-  return played;
+PlayedSteps played_trace(const StepTrace& trace, const Solution& solution, const PointSet& set) {
+  return TracePlayer(trace, set).play(solution);
 }
 
 std::string bytes_of(const PlayedSteps& played) {
   std::string bytes;
   for (const PlayedStep& step : played.steps) append_values(bytes, std::array{step.value});
+  for (const PlayedBox& box : played.boxes) append_values(bytes, std::array{box.left, box.bottom, box.right, box.top});
   for (const PlayedStep& step : played.steps)
     append_values(bytes, std::array{static_cast<std::uint32_t>(step.kind), step.a, step.b, step.c, step.d});
   append_indices(bytes, played.start);

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "algorithms/proof_trace.h"
-#include "harness/explore/temporary_folder.h"
 #include "harness/io/input_file.h"
 #include "harness/io/proof_file.h"
+#include "harness/io/temporary_folder.h"
 
 namespace mwt {
 
@@ -16,8 +16,8 @@ void start_proved_run(ProcessPool& pool, Request request, const Instance& instan
   const auto enclose = [&](const Execution& execution) -> std::string {
     const Solution& solution = execution.solution;
     if (!proof.is_complete || !solution.optimum) return "";
-    const TemporaryFolder folder;
-    const std::string path = (folder.path() / "points.mwtproof").string();
+    const TemporaryFolder folder("mwt-explore");
+    const std::string path = folder.file("points.mwtproof");
     static_cast<void>(write_proof(path, instance.set.points, proof, solution.triangulation, *solution.optimum));
     return read_file(path);
   };

@@ -3,8 +3,8 @@
 #include <fstream>
 
 #include "base/error.h"
-#include "harness/explore/temporary_folder.h"
 #include "harness/io/points/point_file.h"
+#include "harness/io/temporary_folder.h"
 
 namespace mwt {
 
@@ -23,9 +23,9 @@ std::string file_name_of(const std::string& name) {
 }  // namespace
 
 std::vector<Point> read_content(const std::string& name, const std::string& content) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("mwt-explore");
   const std::string file_name = file_name_of(name);
-  const std::string path = (folder.path() / file_name).string();
+  const std::string path = folder.file(file_name);
   std::ofstream(path, std::ios::binary) << content;
   try {
     return read_points(path);

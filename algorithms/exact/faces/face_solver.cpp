@@ -14,9 +14,11 @@
 #include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/faces/face_traversal.h"
 #include "algorithms/exact/faces/polygon_face.h"
+#include "algorithms/exact/holes/cut_log.h"
 #include "algorithms/exact/holes/region_solver.h"
 #include "algorithms/exact/search_stopped.h"
 #include "algorithms/exact/usable_threads.h"
+#include "algorithms/step_trace.h"
 #include "geometry/weight.h"
 
 namespace mwt {
@@ -61,6 +63,7 @@ class FaceSolver {
   FaceProgress::Report report_;
   tbb::enumerable_thread_specific<PolygonFaceSolver> solvers_;
   std::vector<RegionSolution> regions_;
+  mutable CutLog cuts_;
   std::size_t late_regions_ = 0;
 };
 
@@ -104,6 +107,7 @@ double FaceSolver::bound_before_repair() const {
 FaceSolution FaceSolver::finish() {
   FaceSolution solution;
   solve_regions();
+  if (context_.steps != nullptr) context_.steps->cuts = cuts_.among(faces_.graph().points);
   assemble(solution);
   return solution;
 }
@@ -148,6 +152,7 @@ RegionSolution FaceSolver::solve(const FaceRegion& region, bool is_late) const {
   if (is_late) return leave_unsolved(points, region, StopReason::deadline, bounds_deadline_);
   RegionSearch search{context_.deadline};
   search.bounds_deadline = bounds_deadline_;
+  if (context_.steps != nullptr) search.cuts = &cuts_;
   RegionSolution solution = solve_region(points, region, search);
   const bool is_open = !solution.solved && solution.is_feasible();
   if (is_open) {

@@ -11,6 +11,7 @@
 #include "algorithms/exact/holes/annulus_face.h"
 #include "algorithms/exact/holes/certain_sides.h"
 #include "algorithms/exact/holes/consistent_triangles.h"
+#include "algorithms/exact/holes/cut_log.h"
 #include "algorithms/exact/holes/divided_region.h"
 #include "algorithms/exact/holes/local_region.h"
 #include "algorithms/exact/holes/region_branching.h"
@@ -118,6 +119,7 @@ class RegionSolver {
   std::optional<RegionSolution> solve_by_reduction() {
     auto reduced = reduce_region(points_, region_, search_.limit, search_.deadline);
     if (!reduced) return {};
+    if (search_.cuts != nullptr) search_.cuts->note(points_, region_);
     best_.triangles = std::move(reduced->triangles);
     best_.diagonals = reduced->diagonals;
     best_.lower_bound = reduced->lower_bound;

@@ -13,6 +13,8 @@
 
 namespace mwt {
 
+class CutLog;  // algorithms/exact/holes/cut_log.h
+
 struct RegionCounters {
   std::uint64_t reductions = 0;  ///< regions cut open and bounded
   std::uint64_t programs = 0;    ///< linear programs
@@ -51,6 +53,7 @@ struct RegionSearch {
   double limit = std::numeric_limits<double>::infinity();  ///< what is not lighter than this is of no interest
   RegionMethods methods{};
   Deadline bounds_deadline{};  ///< until when what the deadline left is bounded from below
+  CutLog* cuts = nullptr;      ///< optional: gets the cuts of all reductions
 };
 
 /// The best triangulation by candidates. Where the deadline stops it: the best triangulation found, parts of it perhaps

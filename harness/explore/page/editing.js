@@ -35,14 +35,19 @@ export class Editing {
     canvas.addEventListener("keydown", (event) => this.#key(event));
   }
 
+  get isDragging() {
+    return this.#dragged >= 0;
+  }
+
   get #mode() {
     return document.querySelector('input[name="mode"]:checked').value;
   }
 
   undo() {
-    if (!this.#points.undo()) return;
+    if (!this.#points.undo()) return false;
     this.choose(-1);
     this.#changed(true);
+    return true;
   }
 
   choose(point) {
@@ -72,7 +77,7 @@ export class Editing {
       this.#dragged = -1;
       return;
     }
-    const point = this.#picture.pointAt(event.offsetX, event.offsetY);
+    const point = this.#picture.pointAt(event.offsetX, event.offsetY, event.pointerType);
     if (this.#mode === "add") return;
     if (this.#mode === "delete") {
       if (point >= 0) this.#remove(point);

@@ -12,10 +12,10 @@ function takeParameters(from, prefix) {
   return Object.fromEntries(names.map((key) => [key.slice(prefix.length + 1), from.get(key)]));
 }
 
-// The text, or null if the points do not go into a link. `source` is {family: {...}}, {given: name} or {}: points that are
-// all in the link.
-export function linkOf({ source, points, algorithms, view }) {
+// The text, or null if the points do not go into a link. Without a source (PointList) all points are in the link.
+export function linkOf({ points, algorithms, view }) {
   const link = new URLSearchParams();
+  const { source } = points;
   if (source.family) {
     const { family, n, seed, parameters } = source.family;
     link.set("family", family);
@@ -24,11 +24,13 @@ export function linkOf({ source, points, algorithms, view }) {
     putParameters(link, "p", parameters);
   } else if (source.given) {
     link.set("given", source.given);
+  } else if (source.kept) {
+    link.set("kept", source.kept);
   } else {
     if (points.size > MOST_POINTS) return null;
     link.set("points", [...points.coordinates].join(","));
   }
-  if (source.family || source.given) {
+  if (source.family || source.given || source.kept) {
     const edits = points.edits();
     if (edits) link.set("edits", edits);
   }
@@ -54,6 +56,8 @@ export function viewOf(text) {
     source = { family: { family: link.get("family"), n: link.get("n") ?? "100", seed: link.get("seed") ?? "1", parameters: takeParameters(link, "p") } };
   } else if (link.has("given")) {
     source = { given: link.get("given") };
+  } else if (link.has("kept")) {
+    source = { kept: link.get("kept") };
   }
   const slot = (name, otherwise) => ({ name: link.get(name) ?? otherwise, parameters: takeParameters(link, name) });
   const [x, y, scale, stretch = 1] = numbers("view");
@@ -71,4 +75,12 @@ export function viewOf(text) {
     isStretched: link.has("stretch"),
     view: [x, y, scale, stretch].every(Number.isFinite) && scale > 0 && stretch > 0 ? { x, y, scale, stretch } : null,
   };
+}
+
+// What a link restores, and where.
+export function promiseOf(source) {
+  const what = "It restores the points, what was changed by hand, the algorithms and the view";
+  if (source.kept) return `${what}, while this program runs: it names the points, so save them, too`;
+  if (source.given) return `${what}, also in another mwt explore ${source.given} --view TEXT, with the text behind #`;
+  return `${what}, also in another mwt explore --view TEXT, with the text behind #`;
 }

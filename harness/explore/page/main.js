@@ -4,24 +4,26 @@ import { Editing } from "./editing.js";
 import { compareEdges } from "./edges.js";
 import { Hunt } from "./hunt.js";
 import { Lesson } from "./lesson.js";
-import { linkOf, viewOf } from "./link.js";
+import { linkOf, promiseOf, viewOf } from "./link.js";
 import { Picture } from "./picture.js";
 import { Player } from "./play.js";
-import { PointList } from "./point_list.js";
-import { ask, askForPoints, catalogue, givenPoints, Refusal } from "./program.js";
+import { LARGEST_UNDO, PointList } from "./point_list.js";
+import { ask, askForPoints, catalogue, givenPoints, keepPoints, keptPoints, Refusal } from "./program.js";
 import { showResults } from "./results.js";
 import { Solving } from "./solving.js";
-import { commandsOf, pointsText, save, svgText, trianglesText } from "./take.js";
+import { commandsOf, MOST_IN_SVG, pointsText, save, svgText, trianglesText } from "./take.js";
 
 const element = (id) => document.getElementById(id);
 const points = new PointList();
 const picture = new Picture(element("picture"));
-let source = {};
 let shown = null; // the answer that is drawn
 let layers = [];
 let given = null;
+let described = 0; // how often describe() was called
+let loading = 0; // how many sets of points are being made or read
 let choices;
 let player;
+let editing;
 
 function say(text, failed = false) {
   element("status").textContent = text;
@@ -62,12 +64,11 @@ function layersOf(answer) {
 
 function draw() {
   if (player?.isOpen) return;
-  picture.diamond = null;
   picture.show(points.coordinates, layers);
 }
 
 function show(answer) {
-  if (answer.size !== points.size) return;
+  if (answer.size !== points.size) return picture.drawn();
   // Until its second triangulation is there, the earlier one of as many points stays: its edges move with the points.
   if (shown && shown !== answer && shown.size === answer.size && shown.algorithms.second.name === answer.algorithms.second.name)
     answer.earlierSecond = pair(shown).second ?? shown.earlierSecond;
@@ -78,15 +79,27 @@ function show(answer) {
   const removed = answer.instance?.duplicates ? `, ${answer.instance.duplicates} of them repeated` : "";
   const waits = !answer.optimum && !answer.isComplete && answer.seeksOptimum;
   say(`${points.size.toLocaleString("en")} points${removed}, ${answer.instance.hull_size} on the hull${waits ? "; the optimum is sought" : ""}`);
-  if (answer.isComplete) describe();
+  if (answer.isComplete && !editing?.isDragging) describe();
+  return picture.drawn();
 }
 
-function describe() {
-  const view = { source, points, algorithms: choices.algorithms };
-  element("command").textContent = commandsOf(view);
-  const link = linkOf({ ...view, view: picture.view });
+// Points that do not go into a link are left with the program, and become the base of later changes.
+async function describe() {
+  const number = ++described;
+  element("command").textContent = commandsOf({ points, algorithms: choices.algorithms });
+  let link = linkOf({ points, algorithms: choices.algorithms, view: picture.view });
+  if (link === null) {
+    element("copy-link").disabled = true;
+    const kept = points.coordinates.slice();
+    const name = await keepPoints(kept).catch(() => null);
+    if (number !== described || !points.areAt(kept)) return;
+    if (name !== null) {
+      points.rebase({ kept: name });
+      link = linkOf({ points, algorithms: choices.algorithms, view: picture.view });
+    }
+  }
   element("copy-link").disabled = link === null;
-  element("link-note").textContent = link === null ? "these points are too many for a link; save them" : "";
+  element("link-note").textContent = link === null ? "These points are too many for a link; save them." : `${promiseOf(points.source)}.`;
   if (link !== null) history.replaceState(null, "", `#${link}`);
 }
 
@@ -106,8 +119,7 @@ function changed(final) {
 
 function showNewPoints(coordinates, newSource) {
   player.close();
-  source = newSource;
-  points.setBase(coordinates);
+  points.setBase(coordinates, newSource);
   picture.chosen = -1;
   layers = [];
   shown = null;
@@ -119,11 +131,14 @@ function showNewPoints(coordinates, newSource) {
 // Points from a promise of coordinates; keeps what is shown if it fails.
 async function load(coordinates, newSource, what) {
   say(`${what} …`);
+  ++loading;
   try {
     showNewPoints(await coordinates, newSource);
   } catch (error) {
     say(error instanceof Refusal ? error.message : "the program does not answer; does it still run?", true);
     return false;
+  } finally {
+    setTimeout(() => --loading); // when they are being solved
   }
   return true;
 }
@@ -152,6 +167,8 @@ async function restore(view) {
     choices.family = view.source.family;
     view.source.family.n = choices.family.n; // of a named instance its only one
     loaded = await load(generated(view.source.family), view.source, "making points");
+  } else if (view.source.kept) {
+    loaded = await load(keptPoints(view.source.kept), view.source, "looking for points");
   } else if (view.source.given && given?.name === view.source.given) {
     showNewPoints(given.points.slice(), view.source);
   } else if (view.coordinates.length > 0) {
@@ -181,10 +198,14 @@ function watchButtons(editing) {
   element("zoom-out").addEventListener("click", () => picture.zoom(0.8));
   element("play").addEventListener("click", playFirst);
   element("save-proof").addEventListener("click", saveProof);
-  element("picture").addEventListener("pointermove", (event) => {
-    if (player.isOpen && event.buttons === 0) player.hover(event.offsetX, event.offsetY);
+  for (const kind of ["pointermove", "pointerdown"]) {
+    element("picture").addEventListener(kind, (event) => {
+      if (player.isOpen && (kind === "pointerdown" || event.buttons === 0)) player.hover(event.offsetX, event.offsetY);
+    });
+  }
+  element("undo").addEventListener("click", () => {
+    if (!editing.undo()) say(`there is nothing to undo; changes are kept of up to ${LARGEST_UNDO.toLocaleString("en")} points`);
   });
-  element("undo").addEventListener("click", () => editing.undo());
   element("clear").addEventListener("click", () => {
     showNewPoints(new Float64Array(0), {});
     showResults(null);
@@ -203,9 +224,9 @@ function watchButtons(editing) {
     picture.redraw();
   });
   element("copy-link").addEventListener("click", async () => {
-    describe();
+    await describe();
     await navigator.clipboard.writeText(location.href);
-    element("link-note").textContent = "copied";
+    element("link-note").textContent = `Copied. ${promiseOf(points.source)}.`;
   });
   element("copy-command").addEventListener("click", () => navigator.clipboard.writeText(element("command").textContent));
   for (const button of document.querySelectorAll("[data-save]")) button.addEventListener("click", () => saveAs(button.dataset.save));
@@ -238,7 +259,8 @@ async function playFirst() {
 }
 
 function saveAs(what) {
-  if (what === "svg") save("triangulations.svg", svgText(points.coordinates, layers), "image/svg+xml");
+  if (what === "svg" && points.size > MOST_IN_SVG) say(`an SVG is for at most ${MOST_IN_SVG.toLocaleString("en")} points; take the PNG`, true);
+  else if (what === "svg") save("triangulations.svg", svgText(points.coordinates, layers), "image/svg+xml");
   if (what === "png") picture.toBlob((blob) => save("triangulations.png", blob));
   if (what === "points") save("points.csv", pointsText(points.coordinates), "text/csv");
   if (what !== "first" && what !== "second") return;
@@ -258,7 +280,7 @@ async function begin() {
     if (points.size > 0) solve(true);
   });
   given = await givenPoints();
-  const editing = new Editing(element("picture"), picture, points, changed);
+  editing = new Editing(element("picture"), picture, points, changed);
   editing.player = player;
   watchButtons(editing);
   new Hunt(
@@ -284,5 +306,5 @@ async function begin() {
 }
 
 // For measurements and tests.
-window.explorer = { points, picture, solving, get player() { return player; }, get shown() { return shown; } };
+window.explorer = { points, picture, solving, get player() { return player; }, get isLoading() { return loading > 0; }, get shown() { return shown; } };
 begin().catch(() => say("the program does not answer; does it still run?", true));

@@ -2,35 +2,73 @@
 import { ask } from "./program.js";
 
 const element = (id) => document.getElementById(id);
-const KINDS = ["add", "remove", "flip", "certain", "open"];
+const KINDS = ["add", "remove", "flip", "certain", "open", "group", "cell", "cut", "pass", "refute"];
 const NONE = 0xffffffff;
 const SHADES = 4;
 const WORDS = 5; // of a step: kind, a, b, c, d
 
-// The steps of a trace, and what they make of the edges.
+const plural = (count, word) => `${count.toLocaleString("en")} ${word}${count === 1 ? "" : "s"}`;
+
+// The steps of a trace, and what they make of the edges. Steps of the program that are one to a reader (all edges of an
+// inserted point, of a patch, of a cell) are one step here.
 export class Trace {
+  #count; // of the program's steps
+  #values;
+  #words;
+  #boxes;
+  #begins = []; // of each step: the first of the program's
+
   constructor(json, bytes) {
-    this.size = json.steps;
-    this.stages = json.stages;
-    this.values = new Float64Array(bytes, 0, this.size);
-    this.words = new Uint32Array(bytes, 8 * this.size, WORDS * this.size);
-    this.start = new Uint32Array(bytes, (8 + 4 * WORDS) * this.size, 2 * json.start_edges);
+    this.#count = json.steps;
+    this.#values = new Float64Array(bytes, 0, json.steps);
+    this.#boxes = new Float64Array(bytes, 8 * json.steps, 4 * json.boxes);
+    const head = 8 * (json.steps + 4 * json.boxes);
+    this.#words = new Uint32Array(bytes, head, WORDS * json.steps);
+    this.start = new Uint32Array(bytes, head + 4 * WORDS * json.steps, 2 * json.start_edges);
+    this.stages = json.stages.map((stage) => ({ ...stage }));
+    this.#findSteps();
+    this.kinds = new Set(Array.from({ length: json.steps }, (_, i) => KINDS[this.#words[WORDS * i]]));
     this.reset();
+  }
+
+  #findSteps() {
+    let stage = 0;
+    for (let i = 0; i < this.#count; i += 1 + this.#followers(i)) {
+      for (; stage < this.stages.length && this.stages[stage].begin <= i; ++stage) this.stages[stage].begin = this.#begins.length;
+      this.#begins.push(i);
+    }
+    this.size = this.#begins.length;
+    this.#begins.push(this.#count);
+    for (; stage < this.stages.length; ++stage) this.stages[stage].begin = this.size;
+  }
+
+  // How many of the program's steps go with one.
+  #followers(i) {
+    const kind = KINDS[this.#words[WORDS * i]];
+    return kind === "group" ? this.#words[WORDS * i + 1] : kind === "cell" ? this.#words[WORDS * i + 2] : 0;
   }
 
   reset() {
     this.position = 0;
+    this.cells = 0;
     this.edges = new Map(); // "a-b" -> {a, b, mark}
     for (let i = 0; i < this.start.length; i += 2) this.#put(this.start[i], this.start[i + 1], "plain");
   }
 
-  step(i) {
-    const [kind, a, b, c, d] = this.words.subarray(WORDS * i, WORDS * (i + 1));
-    return { kind: KINDS[kind], a, b, c, d, value: this.values[i] };
+  #step(i) {
+    const [kind, a, b, c, d] = this.#words.subarray(WORDS * i, WORDS * (i + 1));
+    return { kind: KINDS[kind], a, b, c, d, value: this.#values[i] };
   }
 
-  stageOf(i) {
-    return this.stages.findLast((stage) => stage.begin <= i) ?? this.stages[0];
+  // The program's steps that are this one.
+  #stepsOf(position) {
+    const steps = [];
+    for (let i = this.#begins[position]; i < this.#begins[position + 1]; ++i) steps.push(this.#step(i));
+    return steps;
+  }
+
+  stageOf(position) {
+    return this.stages.findLast((stage) => stage.begin <= position) ?? this.stages[0];
   }
 
   #put(a, b, mark, value = 0) {
@@ -41,12 +79,21 @@ export class Trace {
   goTo(position) {
     if (position < this.position) this.reset();
     for (; this.position < position; ++this.position) {
-      const { kind, a, b, c, d, value } = this.step(this.position);
-      if (kind === "remove" || kind === "flip") this.edges.delete(`${a}-${b}`);
-      if (kind === "add") this.#put(a, b, "plain");
-      if (kind === "flip") this.#put(c, d, "plain");
-      if (kind === "certain" || kind === "open") this.#put(a, b, kind, value);
+      const steps = this.#stepsOf(this.position);
+      const mark = steps[0].kind === "cell" ? "leaf" : "plain";
+      for (const { kind, a, b, c, d, value } of steps) {
+        if (kind === "remove" || kind === "flip" || kind === "refute") this.edges.delete(`${a}-${b}`);
+        if (kind === "add" || kind === "pass") this.#put(a, b, mark);
+        if (kind === "flip") this.#put(c, d, "plain");
+        if (kind === "certain" || kind === "open" || kind === "cut") this.#put(a, b, kind, value);
+        if (kind === "cell") this.cells = a + 1;
+      }
     }
+  }
+
+  // Those of the cells so far.
+  get boxes() {
+    return this.#boxes.subarray(0, 4 * this.cells);
   }
 
   // The edges of the state, sorted.
@@ -56,62 +103,118 @@ export class Trace {
   }
 
   layers() {
-    const groups = { plain: [], certain: [], open: Array.from({ length: SHADES }, () => []) };
+    const groups = { plain: [], certain: [], leaf: [], cut: [], open: Array.from({ length: SHADES }, () => []) };
     for (const { a, b, mark, value } of this.edges.values()) {
-      const group = mark === "open" ? groups.open[Math.min(SHADES - 1, Math.floor(value * SHADES))] : groups[mark];
+      const group = mark === "open" ? groups.open[Math.min(SHADES - 1, Math.floor(Math.sqrt(value) * SHADES))] : groups[mark];
       group.push(a, b);
     }
     const layer = (edges, colour, width, more = {}) => ({ edges: Uint32Array.from(edges), colour, width, dashed: false, ...more });
     const layers = [layer(groups.plain, "--shared", 1.2)];
-    groups.open.forEach((edges, shade) => layers.push(layer(edges, "--second", 1.6, { alpha: 0.25 + (0.75 * shade) / (SHADES - 1) })));
-    layers.push(layer(groups.certain, "--certain", 2.2));
-    if (this.position > 0) {
-      const { kind, a, b, c, d } = this.step(this.position - 1);
-      if (kind === "remove" || kind === "flip") layers.push(layer([a, b], "--first", 3, { dashed: true }));
-      if (kind === "remove" && c !== NONE) layers.push(layer([c, d], "--second", 3));
-      if (kind === "flip") layers.push(layer([c, d], "--chosen", 3));
-      if (kind === "add" || kind === "certain" || kind === "open") layers.push(layer([a, b], "--chosen", 3));
+    groups.open.forEach((edges, shade) => layers.push(layer(edges, "--second", 1.6, { alpha: 0.4 + (0.6 * shade) / (SHADES - 1) })));
+    layers.push(layer([...groups.certain, ...groups.leaf], "--certain", 2.2), layer(groups.cut, "--first", 2.6));
+    return this.position > 0 ? [...layers, ...this.#lastStep(layer)] : layers;
+  }
+
+  // What the last step changed.
+  #lastStep(layer) {
+    const [gone, come, crossed] = [[], [], []];
+    for (const { kind, a, b, c, d } of this.#stepsOf(this.position - 1)) {
+      if (kind === "remove" || kind === "flip" || kind === "refute") gone.push(a, b);
+      if (kind === "remove" && c !== NONE) crossed.push(c, d);
+      if (kind === "flip") come.push(c, d);
+      if (["add", "certain", "open", "cut", "pass"].includes(kind)) come.push(a, b);
     }
-    return layers;
+    return [layer(gone, "--first", 3, { dashed: true }), layer(crossed, "--second", 3), layer(come, "--chosen", 3)];
   }
 
   // What the last step did.
   describe() {
     if (this.position === 0) return "the start";
-    const { kind, a, b, c, d, value } = this.step(this.position - 1);
-    const stage = this.stageOf(this.position - 1);
-    const head = `${stage.name}, step ${this.position.toLocaleString("en")} of ${this.size.toLocaleString("en")}: `;
-    if (kind === "flip") return `${head}edge ${a}–${b} is replaced by ${c}–${d}, shorter by ${value.toPrecision(4)}`;
-    if (kind === "remove" && c !== NONE) return `${head}edge ${a}–${b} leaves; it crosses ${c}–${d}`;
-    if (kind === "remove" && stage.name === "optimum") return `${head}edge ${a}–${b} leaves: it is not in the optimum`;
-    if (kind === "remove" && stage.name === "insertion") return `${head}edge ${a}–${b} leaves: the inserted point lies on it`;
-    if (kind === "open") return `${head}edge ${a}–${b} ${stage.reason}, ${value.toPrecision(2)} of the largest`;
-    return `${head}edge ${a}–${b} ${stage.reason}`;
+    const position = this.position - 1;
+    const { name } = this.stageOf(position);
+    const head = `${name}, step ${this.position.toLocaleString("en")} of ${this.size.toLocaleString("en")}: `;
+    const [first, ...others] = this.#stepsOf(position);
+    if (first.kind === "group") return head + this.#describeGroup(first, others);
+    if (first.kind === "cell") return head + (first.c === NONE ? "a cell that is split" : `a leaf and its ${plural(others.length, "edge")}`);
+    return `${head}edge ${first.a}–${first.b} ${this.#reason(first, position)}`;
+  }
+
+  #describeGroup({ b, value }, steps) {
+    if (b !== NONE) return `point ${b} is inserted, with ${plural(steps.filter(({ kind }) => kind === "add").length, "edge")}`;
+    const removed = steps.filter(({ kind }) => kind === "remove").length;
+    return `${plural(removed, "edge")} of a patch ${removed === 1 ? "is" : "are"} replaced, shorter by ${value.toPrecision(4)}`;
+  }
+
+  // What happened to an edge at that position, and why.
+  #reason({ kind, a, b, c, d, value }, position) {
+    const { name, reason } = this.stageOf(position);
+    if (kind === "flip") return `is replaced by ${c}–${d}, ${value < 0 ? "longer" : "shorter"} by ${Math.abs(value).toPrecision(4)}`;
+    if (kind === "remove" && c !== NONE) return `leaves: it crosses ${c}–${d}`;
+    if (kind === "remove" && name === "crossing edges") return "leaves: it passes through a point";
+    if (kind === "remove" && name === "optimum") return "leaves: it is not in the optimum";
+    if (kind === "remove" && name === "result") return "leaves: it is not in what the algorithm returns";
+    if (kind === "remove" && name === "insertion") return "leaves: the inserted point lies on it";
+    if (kind === "remove" && name === "patches") return "leaves: a lighter triangulation of its patch does without it";
+    if (kind === "open") return `${reason}, ${value.toPrecision(2)} of the largest`;
+    if (kind === "pass") return `passes the diamond test: ${this.#halves(c, d)}`;
+    if (kind === "refute") return this.#refutation(c, d);
+    return reason;
+  }
+
+  #halves(left, right) {
+    if (left === NONE && right === NONE) return "both triangles of its diamond are empty";
+    return `the triangle ${left === NONE ? "left" : "right"} of it is empty, the other one holds point ${left === NONE ? right : left}`;
+  }
+
+  #refutation(left, right) {
+    if (left === NONE || right === NONE) return `leaves: ${left === NONE ? "left" : "right"} of it there is no empty triangle of candidates`;
+    return `leaves: the empty triangles with ${left} and ${right} have the shorter diagonal ${left}–${right}, and so have all others`;
   }
 
   // All that ever happened to an edge, as texts.
   historyOf(a, b) {
     const lines = [];
-    for (let i = 0; i < this.size; ++i) {
-      const step = this.step(i);
-      const isIt = step.a === a && step.b === b;
-      const isAdded = step.kind === "flip" && step.c === a && step.d === b;
-      if (!isIt && !isAdded) continue;
-      const { name, reason } = this.stageOf(i);
-      const witness = step.kind === "remove" && step.c !== NONE ? `: ${step.c}–${step.d}` : "";
-      const what = isAdded ? "comes by a flip" : name === "optimum" && step.kind === "remove" ? "leaves: it is not in the optimum" : reason;
-      lines.push(`${name} (step ${i + 1}): ${what}${witness}`);
+    for (let position = 0; position < this.size; ++position) {
+      for (let i = this.#begins[position]; i < this.#begins[position + 1]; ++i) {
+        const at = WORDS * i;
+        const isIt = this.#words[at + 1] === a && this.#words[at + 2] === b && !this.#isHead(i);
+        const isAdded = this.#words[at] === KINDS.indexOf("flip") && this.#words[at + 3] === a && this.#words[at + 4] === b;
+        if (!isIt && !isAdded) continue;
+        lines.push(`${this.stageOf(position).name} (step ${position + 1}): ${isAdded ? "comes by a flip" : this.#reason(this.#step(i), position)}`);
+      }
     }
     return lines;
+  }
+
+  #isHead(i) {
+    const kind = KINDS[this.#words[WORDS * i]];
+    return kind === "group" || kind === "cell";
+  }
+
+  // What to draw about an edge (Picture.hint): its diamond with the points inside, the triangles by which it leaves.
+  hintOf(a, b) {
+    const hint = { edge: [a, b] };
+    const points = (...all) => all.map((point) => (point === NONE ? -1 : point));
+    for (let i = 0; i < this.#count; ++i) {
+      const at = WORDS * i;
+      if (this.#words[at + 1] !== a || this.#words[at + 2] !== b || this.#isHead(i)) continue;
+      const { kind, c, d } = this.#step(i);
+      if (kind === "pass") hint.inside = points(c, d);
+      if (kind === "refute" || kind === "flip") hint.apexes = points(c, d);
+      if (kind === "remove" && c !== NONE) hint.crossed = [c, d];
+    }
+    return hint;
   }
 }
 
 function showLegend(trace) {
-  const kinds = new Set(Array.from({ length: trace.size }, (_, i) => trace.words[WORDS * i]).map((kind) => KINDS[kind]));
+  const { kinds } = trace;
   const items = [["shared", kinds.has("certain") || kinds.has("open") ? "candidate" : "edge"], ["fresh", "new in this step"]];
   if (kinds.has("certain")) items.push(["certain", "certain"]);
+  if (kinds.has("cell")) items.push(["certain", "of a leaf"]);
   if (kinds.has("open")) items.push(["open", "open, shaded by its dual value"]);
-  if (kinds.has("remove") || kinds.has("flip")) items.push(["leaving", "leaves in this step"]);
+  if (kinds.has("cut")) items.push(["first", "cut"]);
+  if (kinds.has("remove") || kinds.has("flip") || kinds.has("refute")) items.push(["leaving", "leaves in this step"]);
   element("legend").replaceChildren(
     ...items.map(([className, text]) => {
       const item = document.createElement("li");
@@ -183,6 +286,7 @@ export class Player {
     if (!this.trace) return;
     this.pause();
     this.trace = null;
+    this.#picture.hint = null;
     element("player").hidden = true;
     this.#leave();
   }
@@ -190,7 +294,7 @@ export class Player {
   show(position) {
     const { trace } = this;
     trace.goTo(Math.max(0, Math.min(trace.size, position)));
-    this.#picture.show(this.#points.coordinates, trace.layers());
+    this.#picture.show(this.#points.coordinates, trace.layers(), trace.boxes);
     element("play-slider").value = trace.position;
     element("play-stage").selectedIndex = trace.stages.indexOf(trace.stageOf(Math.max(0, trace.position - 1)));
     element("play-text").textContent = trace.describe();
@@ -234,7 +338,12 @@ export class Player {
     let best = null;
     let least = near * near;
     const c = this.#points.coordinates;
+    const [left, top] = this.#picture.toWorld(x - near, y - near);
+    const [right, bottom] = this.#picture.toWorld(x + near, y + near);
     for (const edge of this.trace.edges.values()) {
+      const [a, b] = [2 * edge.a, 2 * edge.b];
+      if ((c[a] < left && c[b] < left) || (c[a] > right && c[b] > right)) continue;
+      if ((c[a + 1] < bottom && c[b + 1] < bottom) || (c[a + 1] > top && c[b + 1] > top)) continue;
       const [ax, ay] = this.#picture.toScreen(c[2 * edge.a], c[2 * edge.a + 1]);
       const [bx, by] = this.#picture.toScreen(c[2 * edge.b], c[2 * edge.b + 1]);
       const length = (bx - ax) ** 2 + (by - ay) ** 2 || 1;
@@ -247,8 +356,7 @@ export class Player {
 
   hover(x, y) {
     const edge = this.edgeAt(x, y);
-    this.#picture.diamond = edge ? [edge.a, edge.b] : null;
-    this.#picture.redraw();
+    this.#picture.hint = edge && this.trace.hintOf(edge.a, edge.b);
     element("play-edge").textContent = edge ? `edge ${edge.a}–${edge.b}. ${this.trace.historyOf(edge.a, edge.b).join("; ") || "from the start"}` : "";
   }
 }

@@ -1,11 +1,12 @@
 // The points that are shown, where each of them comes from, and what was changed by hand.
 
 const MOST_UNDO = 50;
-const LARGEST_UNDO = 20000; // points; larger sets are not kept for undoing
+export const LARGEST_UNDO = 20000; // points; larger sets are not kept for undoing
 
 export class PointList {
   coordinates = new Float64Array(0);
   origins = []; // the position among the base's points, -1 for added ones, which come last
+  source = {}; // where the base is from: {family: {...}}, {given: name}, {kept: name} or {}
   #base = new Float64Array(0);
   #history = [];
 
@@ -14,26 +15,38 @@ export class PointList {
   }
 
   get isEdited() {
-    return this.size * 2 !== this.#base.length || this.coordinates.some((value, i) => value !== this.#base[i]);
+    return !this.areAt(this.#base);
   }
 
-  setBase(coordinates) {
-    this.#base = coordinates.slice();
+  areAt(places) {
+    if (this.coordinates.length !== places.length) return false;
+    for (let i = 0; i < places.length; ++i) if (this.coordinates[i] !== places[i]) return false;
+    return true;
+  }
+
+  setBase(coordinates, source) {
     this.coordinates = coordinates;
-    this.origins = Array.from({ length: coordinates.length / 2 }, (_, i) => i);
     this.#history = [];
+    this.rebase(source);
+  }
+
+  // The points as they are become the base.
+  rebase(source) {
+    this.source = source;
+    this.#base = this.coordinates.slice();
+    this.origins = Array.from({ length: this.size }, (_, i) => i);
   }
 
   // To be called before a change that undo() is to take back.
   remember() {
     if (this.size > LARGEST_UNDO) return;
-    this.#history.push({ coordinates: this.coordinates.slice(), origins: this.origins.slice() });
+    this.#history.push([this.coordinates.slice(), this.origins.slice(), this.#base, this.source]);
     if (this.#history.length > MOST_UNDO) this.#history.shift();
   }
 
   undo() {
     const earlier = this.#history.pop();
-    if (earlier) Object.assign(this, earlier);
+    if (earlier) [this.coordinates, this.origins, this.#base, this.source] = earlier;
     return Boolean(earlier);
   }
 

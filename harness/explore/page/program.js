@@ -55,3 +55,17 @@ export async function givenPoints() {
   const [frame] = new FrameReader().add(bytes);
   return { name: frame.json.name, points: new Float64Array(frame.bytes) };
 }
+
+// Leaves points with the program, for links; returns their name. Refusal: it keeps no such points.
+export async function keepPoints(coordinates) {
+  const response = await fetch("keep", { method: "POST", headers: { "Content-Type": "application/octet-stream" }, body: coordinates });
+  if (!response.ok) throw new Refusal((await response.text()).trim());
+  return response.text();
+}
+
+// Those that were left under a name.
+export async function keptPoints(name) {
+  const response = await fetch(`kept/${encodeURIComponent(name)}`);
+  if (!response.ok) throw new Refusal("this link names points that this program does not have; open them again");
+  return new Float64Array(await response.arrayBuffer());
+}

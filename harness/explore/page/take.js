@@ -8,7 +8,8 @@ const parameterOptions = (parameters) =>
     .join("");
 
 // The commands that repeat what is shown.
-export function commandsOf({ source, points, algorithms }) {
+export function commandsOf({ points, algorithms }) {
+  const { source } = points;
   let file = "points.csv";
   const lines = [];
   if (points.isEdited || !(source.family || source.given)) {
@@ -42,6 +43,8 @@ export function trianglesText(triangles) {
   for (let i = 0; i < triangles.length; i += 3) lines.push(`${triangles[i]},${triangles[i + 1]},${triangles[i + 2]}`);
   return lines.join("\n") + "\n";
 }
+
+export const MOST_IN_SVG = 100000; // points
 
 // The whole set, whatever part of it is seen.
 export function svgText(coordinates, layers) {

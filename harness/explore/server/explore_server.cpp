@@ -15,9 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <condition_variable>
-#include <deque>
+#include <chrono>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -26,65 +26,130 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "harness/explore/server/access.h"
+#include "harness/explore/server/arriving_requests.h"
+#include "harness/explore/server/connection_threads.h"
+#include "harness/explore/server/kept_points.h"
 #include "harness/explore/server/page_files.h"
 
 namespace mwt {
 
 namespace {
 
-constexpr std::size_t kMaxBody = std::size_t{32} << 20;
-constexpr std::size_t kThreads = 32;
-constexpr std::size_t kMaxWaitingConnections = 256;
+constexpr std::size_t kMaxBody = std::size_t{64} << 20;
+constexpr std::size_t kMaxKept = std::size_t{256} << 20;
+constexpr const char* kLoopback = "127.0.0.1";
 constexpr const char* kBytes = "application/octet-stream";
 
-// Threads for connections. Where all are busy and kMaxWaitingConnections wait, no further one is accepted; a connection
-// that fails ends alone.
-class ConnectionThreads : public httplib::TaskQueue {
+using Clock = std::chrono::steady_clock;
+
+// Whether one of the events has come before the time.
+bool awaits(int socket, short events, Clock::time_point end) {
+  pollfd watched{socket, events, 0};
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+  return poll(&watched, 1, static_cast<int>(std::max<std::int64_t>(0, left.count()))) > 0 &&
+         (watched.revents & (POLLERR | POLLRDHUP | POLLHUP)) == 0;
+}
+
+// A connection as httplib reads and writes it. Unlike its own one, it gives a whole request, not each part of it, a
+// time to arrive.
+class ConnectionStream : public httplib::Stream {
  public:
-  ConnectionThreads() {
-    for (std::size_t i = 0; i < kThreads; ++i) threads_.emplace_back([this] { work(); });
+  explicit ConnectionStream(int socket) : socket_(socket) {}
+
+  [[nodiscard]] bool is_readable() const override { return begin_ < end_ || awaits(socket_, POLLIN, request_end_); }
+  [[nodiscard]] bool is_writable() const override {
+    return awaits(socket_, POLLOUT | POLLRDHUP, Clock::now() + kWritePatience);
   }
 
-  void enqueue(std::function<void()> connection) override {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return waiting_.size() < kMaxWaitingConnections || ends_; });
-    waiting_.push_back(std::move(connection));
-    lock.unlock();
-    changed_.notify_all();
-  }
-
-  void shutdown() override {
-    {
-      const std::lock_guard lock(mutex_);
-      ends_ = true;
+  ssize_t read(char* to, std::size_t size) override {
+    if (begin_ == end_) {
+      pollfd watched{socket_, POLLIN, 0};
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(request_end_ - Clock::now());
+      if (left.count() <= 0 || poll(&watched, 1, static_cast<int>(left.count())) <= 0) return -1;
+      const ssize_t received = recv(socket_, buffer_.data(), buffer_.size(), 0);
+      if (received <= 0) return received;
+      begin_ = 0;
+      end_ = static_cast<std::size_t>(received);
     }
-    changed_.notify_all();
-    for (std::thread& thread : threads_) thread.join();
+    const std::size_t part = std::min(size, end_ - begin_);
+    std::copy_n(buffer_.data() + begin_, part, to);
+    begin_ += part;
+    return static_cast<ssize_t>(part);
+  }
+
+  ssize_t write(const char* from, std::size_t size) override {
+    return is_writable() ? send(socket_, from, size, MSG_NOSIGNAL) : -1;
+  }
+
+  void get_remote_ip_and_port(std::string& ip, int& port) const override { get_local_ip_and_port(ip, port); }
+  void get_local_ip_and_port(std::string& ip, int& port) const override {
+    ip = kLoopback;
+    port = 0;
+  }
+  [[nodiscard]] socket_t socket() const override { return socket_; }
+
+ private:
+  static constexpr std::chrono::seconds kRequestPatience{10};
+  static constexpr std::chrono::seconds kWritePatience{5};
+
+  int socket_;
+  Clock::time_point request_end_ = Clock::now() + kRequestPatience;
+  std::array<char, 1 << 16> buffer_;
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+};
+
+// Hands over every connection that httplib has accepted.
+class AcceptingServer : public httplib::Server {
+ public:
+  AcceptingServer() {
+    new_task_queue = [] { return new Immediately; };
+  }
+
+  // Serves until stop() is called.
+  void serve() {
+    ConnectionThreads threads(32, 256, [this](int socket) { answer(socket); });
+    ArrivingRequests arriving({}, [&threads](int socket) { threads.add(socket); });
+    accepted_ = [&arriving](int socket) { arriving.add(socket); };
+    if (!ends_) listen_after_bind();
+    has_ended_ = true;
+  }
+
+  // Also if serve() is about to begin.
+  void end() {
+    ends_ = true;
+    for (bool has_stopped = false; !has_ended_;) {
+      if (!has_stopped && is_running()) {
+        stop();  // not to be called twice
+        has_stopped = true;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
   }
 
  private:
-  void work() {
-    for (;;) {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return !waiting_.empty() || ends_; });
-      if (waiting_.empty()) return;
-      const std::function<void()> connection = std::move(waiting_.front());
-      waiting_.pop_front();
-      lock.unlock();
-      changed_.notify_all();
-      try {
-        connection();
-      } catch (const std::exception&) {  // out of memory while its head was read
-      }
-    }
+  class Immediately : public httplib::TaskQueue {
+   public:
+    void enqueue(std::function<void()> task) override { task(); }
+    void shutdown() override {}
+  };
+
+  bool process_and_close_socket(socket_t socket) override {
+    accepted_(socket);
+    return true;
   }
 
-  std::vector<std::thread> threads_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::deque<std::function<void()>> waiting_;
-  bool ends_ = false;
+  void answer(int socket) {
+    ConnectionStream stream(socket);
+    bool is_closed = false;
+    process_request(stream, /*close_connection=*/true, is_closed, nullptr);
+  }
+
+  std::function<void(int socket)> accepted_;
+  std::atomic<bool> ends_ = false;
+  std::atomic<bool> has_ended_ = false;
 };
 
 // How many jobs there are and run.
@@ -134,13 +199,20 @@ class StreamedJob {
 
   // Passes on what there is. Returns whether the connection is to be kept; called again until done() or that is false.
   bool provide(httplib::DataSink& sink) {
-    constexpr int kPatienceMs = 20;
+    constexpr int kPatienceMs = 5;
     if (!sink.is_writable()) return false;
     if (!runs_ && !begin()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(kPatienceMs));
       return true;
     }
-    if (answer_ < 0) return false;
+    if (answer_ < 0) {
+      static const std::string gone = encoded(
+          {R"({"type":"error","message":"the process that does the jobs has ended; end mwt explore and start it again"})",
+           ""});
+      if (!sink.write(gone.data(), gone.size())) return false;
+      sink.done();
+      return true;
+    }
     pollfd watched{answer_, POLLIN, 0};
     if (poll(&watched, 1, kPatienceMs) <= 0) return true;
     const ssize_t size = recv(answer_, block_.data(), block_.size(), 0);
@@ -158,7 +230,7 @@ class StreamedJob {
     if (!runs_) return false;
     try {
       answer_ = host_.start(request_);
-    } catch (const std::system_error&) {  // the answer ends before it begins, which the page reports
+    } catch (const std::system_error&) {  // provide() says so
     }
     request_ = {};
     return true;
@@ -182,6 +254,12 @@ std::string_view type_of(std::string_view name) {
     if (name.ends_with(ending)) return type;
   }
   return kBytes;
+}
+
+// httplib would read a longer body to its end.
+bool is_too_long(const httplib::Request& request) {
+  const auto length = parse_whole_number<std::uint64_t>(request.get_header_value("Content-Length"));
+  return request.method == "POST" && (!length || *length > kMaxBody);
 }
 
 // Requests that httplib would read without a limit, or in ways that the page needs not.
@@ -220,14 +298,13 @@ class ExploreServer::Impl {
   }
 
   [[nodiscard]] std::string address() const { return fmt::format("http://127.0.0.1:{}/{}/", port_, token_); }
-  void serve() { server_.listen_after_bind(); }
-  void stop() { server_.stop(); }
+  void serve() { server_.serve(); }
+  void stop() { server_.end(); }
 
  private:
   // httplib lets other programs share its port, and the system keep five connections that are not accepted yet: many
   // at once would be lost. Here nobody shares the port, and listening again makes room.
   int bind() {
-    constexpr const char* kLoopback = "127.0.0.1";
     int listening = -1;
     server_.set_socket_options([&listening](int socket) {
       listening = socket;
@@ -248,11 +325,7 @@ class ExploreServer::Impl {
 
   void set_up() {
     give_threads_large_stacks();
-    server_.new_task_queue = [] { return new ConnectionThreads; };
-    server_.set_keep_alive_max_count(1);
     server_.set_tcp_nodelay(true);
-    server_.set_read_timeout(5);
-    server_.set_write_timeout(5);
     server_.set_payload_max_length(kMaxBody);
     server_.set_default_headers({
         {"Cache-Control", "no-store"},
@@ -272,6 +345,7 @@ class ExploreServer::Impl {
       refuse(response, 500, "the request could not be served");
     });
     server_.Post("/" + token_ + "/job", [this](const auto& request, auto& response) { job(request, response); });
+    server_.Post("/" + token_ + "/keep", [this](const auto& request, auto& response) { keep(request, response); });
   }
 
   // Everything is decided here, before a body is read, but for jobs that are admitted.
@@ -288,17 +362,21 @@ class ExploreServer::Impl {
       refuse(response, 400, "a request needs a Content-Length, and neither encodings nor ranges");
     } else if (request.method == "GET") {
       serve_file(*path, response);
-    } else if (request.method != "POST" || *path != "job") {
+    } else if (request.method != "POST" || (*path != "job" && *path != "keep")) {
       refuse(response, 404, "there is no such thing here");
     } else if (request.get_header_value("Content-Type") != kBytes) {
-      refuse(response, 415, std::string("the body of a job is ") + kBytes);
+      refuse(response, 415, std::string("a body is ") + kBytes);
+    } else if (is_too_long(request)) {
+      refuse(response, 413, fmt::format("a body has at most {} bytes", kMaxBody));
     } else {
       return httplib::Server::HandlerResponse::Unhandled;
     }
     return httplib::Server::HandlerResponse::Handled;
   }
 
-  void serve_file(const std::string& path, httplib::Response& response) const {
+  void serve_file(const std::string& path, httplib::Response& response) {
+    constexpr std::string_view kKept = "kept/";
+    if (path.starts_with(kKept)) return serve_kept(path.substr(kKept.size()), response);
     if (path == "catalogue.json") return response.set_content(options_.catalogue, "application/json");
     if (path == "given") return response.set_content(options_.given_points, kBytes);
     const std::string_view name = path.empty() ? "index.html" : std::string_view(path);
@@ -306,6 +384,18 @@ class ExploreServer::Impl {
     const auto file = std::ranges::find(files, name, &PageFile::name);
     if (file == files.end()) return refuse(response, 404, "there is no such file");
     response.set_content(file->content.data(), file->content.size(), std::string(type_of(name)));
+  }
+
+  void serve_kept(const std::string& name, httplib::Response& response) {
+    const auto bytes = kept_.find(name);
+    if (!bytes) return refuse(response, 404, "these points are not here, or no longer");
+    response.set_content(*bytes, kBytes);
+  }
+
+  void keep(const httplib::Request& request, httplib::Response& response) {
+    const std::optional<std::string> name = kept_.keep(request.body);
+    if (!name) return refuse(response, 400, "these are no points that can be kept");
+    response.set_content(*name, "text/plain");
   }
 
   void job(const httplib::Request& request, httplib::Response& response) {
@@ -322,7 +412,8 @@ class ExploreServer::Impl {
   ExploreOptions options_;
   std::string token_;
   JobPlaces places_;
-  httplib::Server server_;
+  KeptPoints kept_{kMaxKept};
+  AcceptingServer server_;
   int port_;
   Access access_;
 };

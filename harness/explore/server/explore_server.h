@@ -17,9 +17,13 @@ struct ExploreOptions {
 };
 
 /// Serves the page's files, the catalogue and the given points to GET, and jobs to POST /TOKEN/job: the request's body
-/// and the answer are frames (jobs.h). Refuses, before reading a body: another Host or Origin, a path without the token
-/// (access.h): 403; bodies without a length, encoded, not application/octet-stream, or longer than 32 MiB; jobs beyond
-/// parallel_jobs + waiting_jobs: 503. Ends the job of a page that has closed its connection.
+/// and the answer are frames (jobs.h). POST /TOKEN/keep takes the bytes of points and answers a name, by which GET
+/// /TOKEN/kept/NAME gives them back (kept_points.h: 256 MiB in all).
+///
+/// Refuses, before reading a body: another Host or Origin, a path without the token (access.h): 403; bodies without a
+/// length, encoded, not application/octet-stream, or longer than 64 MiB; jobs beyond parallel_jobs + waiting_jobs: 503.
+/// A head must arrive within 3 s (arriving_requests.h), all of a request within 10 s more. Ends the job of a page that
+/// has closed its connection.
 class ExploreServer {
  public:
   /// Binds to the port. Throws InputError if it is taken. `host` must live longer.
@@ -31,7 +35,7 @@ class ExploreServer {
   /// "http://127.0.0.1:PORT/TOKEN/"
   [[nodiscard]] std::string address() const;
 
-  /// Serves until stop() is called from another thread.
+  /// Serves until stop() is called from another thread, once. stop() returns when no further connection is accepted.
   void serve();
   void stop();
 

@@ -3,8 +3,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <set>
 
 #include "harness/explore/testing/explorer_client.h"
 #include "harness/run/machine/proc_file.h"
@@ -165,6 +175,120 @@ TEST(ExploreServer, ThousandRequestsAtOnceAreAnsweredOrRefused) {
   EXPECT_GE(done, 18);
   expect_alive(server);
   EXPECT_LT(kilobytes_in("/proc/self/status", "VmRSS:").value_or(0), 1'000'000U);
+}
+
+TEST(ExploreServer, SlowHeadsKeepNobodyWaiting) {
+  const TestServer server(short_limits());
+  std::vector<std::unique_ptr<Connection>> slow;
+  for (int i = 0; i < 200; ++i) {
+    slow.push_back(std::make_unique<Connection>(server.port()));
+    ASSERT_TRUE(slow.back()->send("GET / HTTP/1.1\r\nHost: "));
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  expect_alive(server);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+}
+
+TEST(ExploreServer, KeepsPointsForLinks) {
+  const TestServer server(short_limits());
+  const std::string bytes = bytes_of(kSquare);
+  const std::string head = "POST " + server.path() + "keep HTTP/1.1\r\nHost: " + server.own_host() +
+                           "\r\nContent-Type: application/octet-stream\r\nContent-Length: ";
+  const std::string answer = answer_to(server.port(), head + std::to_string(bytes.size()) + "\r\n\r\n" + bytes);
+  EXPECT_EQ(status_of(answer), "200");
+  const std::string name = answer.substr(answer.find("\r\n\r\n") + 4);
+  EXPECT_THAT(get(server, server.path() + "kept/" + name, server.own_host()), HasSubstr(bytes));
+  EXPECT_EQ(status_of(get(server, server.path() + "kept/other", server.own_host())), "404");
+  EXPECT_EQ(status_of(answer_to(server.port(), head + "3\r\n\r\nodd")), "400");
+}
+
+TEST(ExploreServer, TakesPointsOfEveryKindOrSaysWhatIsWrong) {
+  const TestServer server(short_limits());
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto solved = [&](const std::vector<Point>& points) {
+    return answer_to_job(server, solve_with("well"), bytes_of(points));
+  };
+  EXPECT_THAT(solved({{0, 0}, {1, 0}, {std::nan(""), 1}}), HasSubstr(R"("type":"error")"));
+  EXPECT_THAT(solved({{0, 0}, {1, 0}, {kInfinity, 1}}), HasSubstr(R"("type":"error")"));
+  EXPECT_THAT(solved({{0, 0}, {1, 1}, {2, 2}}), HasSubstr("on one line"));
+  EXPECT_THAT(solved(std::vector<Point>(1000, Point{1, 1})), HasSubstr(R"("type":"error")"));
+  EXPECT_THAT(solved({{0, 0}, {1, 0}, {0, 1}, {0, 1}, {-0.0, 0}}), HasSubstr(R"("duplicates":2)"));
+  EXPECT_THAT(solved({{0, 0}, {5e-324, 0}, {0, 5e-324}}), HasSubstr(R"("status":"ok")"));
+  EXPECT_THAT(solved({}), HasSubstr(R"("type":"error")"));
+}
+
+TEST(ExploreServer, BrokenFramesAreTold) {
+  const TestServer server(short_limits());
+  const std::string head = "POST " + server.path() + "job HTTP/1.1\r\nHost: " + server.own_host() +
+                           "\r\nContent-Type: application/octet-stream\r\nContent-Length: ";
+  const std::string whole = encoded({solve_with("well"), bytes_of(kSquare)});
+  for (const std::string& body : {std::string(), std::string("x"), std::string(8, '\xff'), whole.substr(0, 40),
+                                  whole + "more", std::string(1'000'000, '\0')}) {
+    EXPECT_THAT(answer_to(server.port(), head + std::to_string(body.size()) + "\r\n\r\n" + body),
+                HasSubstr("the request is no frame"));
+  }
+  // Fewer bytes than the head states: no answer, but the thread is free after a while.
+  const Connection short_body(server.port());
+  ASSERT_TRUE(short_body.send(head + "100\r\n\r\nabc"));
+  expect_alive(server);
+}
+
+// The processes whose parent this one is.
+std::set<pid_t> children_of(pid_t parent) {
+  std::ifstream file("/proc/" + std::to_string(parent) + "/task/" + std::to_string(parent) + "/children");
+  return {std::istream_iterator<pid_t>(file), {}};
+}
+
+// The only process that a parent has started since; 0 if there is another number of them.
+pid_t new_child_of(pid_t parent, const std::set<pid_t>& before = {}) {
+  std::vector<pid_t> added;
+  std::ranges::set_difference(children_of(parent), before, std::back_inserter(added));
+  return added.size() == 1 ? added.front() : 0;
+}
+
+// Or is a zombie, whose parent may be anybody.
+bool has_ended(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string number, name, state;
+  file >> number >> name >> state;
+  return !file || state == "Z";
+}
+
+TEST(ExploreServer, OutlivesKilledJobsAndWorkers) {
+  const std::set<pid_t> before = children_of(getpid());
+  const TestServer server(short_limits());
+  const pid_t host = new_child_of(getpid(), before);
+  ASSERT_NE(host, 0);
+  for (const bool kills_worker : {false, true}) {
+    const Connection page(server.port());
+    page.send(job_request(server, solve_with("hangs"), bytes_of(kSquare)));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const pid_t job = new_child_of(host);
+    ASSERT_NE(job, 0);
+    const pid_t worker = new_child_of(job);
+    ASSERT_NE(worker, 0);
+    kill(kills_worker ? worker : job, SIGKILL);
+    const std::string answer = page.read();
+    if (kills_worker) {
+      EXPECT_THAT(answer, HasSubstr(R"("status":"out_of_memory")")) << "what the system kills is taken for that";
+    } else {
+      EXPECT_THAT(answer, ::testing::Not(HasSubstr(R"("type":"end")")));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    EXPECT_TRUE(has_ended(worker));
+    expect_alive(server);
+  }
+}
+
+TEST(ExploreServer, SaysSoWhenTheProcessOfTheJobsIsKilled) {
+  const std::set<pid_t> before = children_of(getpid());
+  const TestServer server(short_limits());
+  const pid_t host = new_child_of(getpid(), before);
+  ASSERT_NE(host, 0);
+  kill(host, SIGKILL);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_THAT(answer_to_job(server, solve_with("well"), bytes_of(kSquare)), HasSubstr("start it again"));
+  EXPECT_EQ(status_of(get(server, server.path(), server.own_host())), "200");
 }
 
 }  // namespace

@@ -1,19 +1,17 @@
 #include "harness/run/command/command_folder.h"
 
-#include <fmt/core.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <system_error>
 
-#include "base/error.h"
 #include "base/number_text.h"
 #include "harness/run/command/process_guard.h"
 
@@ -39,25 +37,9 @@ std::optional<pid_t> maker_of(const std::string& name) {
   return parse_whole_number<int>(name.substr(begin.size(), name.find('-', begin.size()) - begin.size()));
 }
 
-void remove_folder(const fs::path& folder) {
-  std::error_code ignored;
-  fs::remove_all(folder, ignored);
-}
-
 }  // namespace
 
-CommandFolder::CommandFolder() {
-  std::error_code error;
-  const fs::path place = fs::temp_directory_path(error);
-  std::string name = (place / fmt::format("{}{}-XXXXXX", prefix(), getpid())).string();
-  if (error || mkdtemp(name.data()) == nullptr) {
-    throw InputError(fmt::format("{}: cannot make a folder for the files of a command here: {}; set TMPDIR",
-                                 place.string(), error ? error.message() : std::strerror(errno)));
-  }
-  path_ = name;
-}
-
-CommandFolder::~CommandFolder() { remove_folder(path_); }
+CommandFolder::CommandFolder() : TemporaryFolder(prefix() + std::to_string(getpid())) {}
 
 void remove_abandoned_command_folders() {
   std::error_code error;
@@ -70,7 +52,8 @@ void remove_abandoned_command_folders() {
         lstat(entry->path().c_str(), &status) == 0 && S_ISDIR(status.st_mode) && status.st_uid == geteuid();
     if (!is_own) continue;
     kill_marked(entry->path().string());
-    remove_folder(entry->path());
+    std::error_code ignored;
+    fs::remove_all(entry->path(), ignored);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "harness/io/input_file.h"
 #include "harness/io/output_file.h"
 #include "harness/io/progress.h"
+#include "harness/io/temporary_folder.h"
 #include "harness/io/text/text.h"
 #include "harness/records/profile_folder.h"
 #include "harness/records/results_folder.h"
@@ -176,27 +177,6 @@ class Side {
   std::string env_id_;
 };
 
-/// A folder that is gone when this object is.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "mwt_compare_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw InputError(pattern + ": cannot make this folder");
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 template <class Item>
 void shuffle(std::vector<Item>& items, RandomEngine& engine) {
   for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[uniform_below(engine, i)]);
@@ -224,7 +204,7 @@ struct InterleavedBuilds::Sides {
   Side base;
   Side now;
   std::size_t max_counted_n;
-  ScratchFolder scratch;
+  TemporaryFolder scratch{"mwt-compare"};
   RandomEngine engine;
   int repetition = 0;
 };
