@@ -123,7 +123,10 @@ TEST_F(TrackingCommands, WhatFoldersLeaveOpenIsRunInTurn) {
   EXPECT_EQ(json["suspected"]["outcome"], "unclear");
   EXPECT_EQ(json["confirmed"]["compared_cells"], 2);
   EXPECT_EQ(json["confirmed"]["cells"][0]["observations"], 3);
-  EXPECT_NEAR(json["confirmed"]["cells"][1]["ratio"].get<double>(), 1, 0.99) << "sweep is not a hundred times slower";
+  // Not a hundred times slower, however busy the machine is.
+  const auto ratio = json["confirmed"]["cells"][1]["ratio"].get<double>();
+  EXPECT_LT(ratio, 20);
+  EXPECT_GT(ratio, 0.05);
 }
 
 TEST_F(TrackingCommands, TheTimeForRunsInTurnIsLimited) {
