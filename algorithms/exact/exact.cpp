@@ -165,13 +165,13 @@ class ExactSolver {
       const ScopedPhase phase(context_, "beta_skeleton");
       const std::size_t crossing =
           delete_what_crosses_beta_skeleton(order_, composite, graph, hull_edges, skeleton.stars, context_);
-      if (crossing > 0) mark_more_edges(graph, skeleton.stars, context_);
+      if (crossing > 0) graph = mark_certain_edges(order_.points, skeleton.stars, context_);
       counters_["edges_across_beta_skeleton"] = static_cast<double>(crossing);
       if (composite_vertices(graph).empty()) return;
     }
     const ScopedPhase phase(context_, "lmt_again");
     const std::uint64_t deleted = examine_between_large_stars(skeleton.stars, order_, hull_edges, context_);
-    if (deleted > 0) mark_more_edges(graph, skeleton.stars, context_);
+    if (deleted > 0) graph = mark_certain_edges(order_.points, skeleton.stars, context_);
     counters_["edges_deleted_at_last"] = static_cast<double>(deleted);
   }
 

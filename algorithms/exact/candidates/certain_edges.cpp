@@ -30,52 +30,23 @@ class Marking {
   Marking(Points points, const StarTable& stars, const Context& context)
       : graph_{points, {}, {}, {}}, stars_(stars.stars), context_(context) {}
 
-  // A graph of stars from which edges have been deleted since.
-  Marking(CandidateGraph graph, const StarTable& stars, const Context& context)
-      : graph_(std::move(graph)), stars_(stars.stars), context_(context) {}
-
   CandidateGraph run() {
     make_rows();
-    for_each_vertex([&](Index v) { sort_row(v); });
-    if (!hidden_.empty()) {
-      std::sort(hidden_.begin(), hidden_.end());
-      keep_edges(
-          [&](Index v, Index w) { return !std::binary_search(hidden_.begin(), hidden_.end(), make_edge(v, w)); });
-    }
+    const auto n = static_cast<Index>(graph_.points.size());
+    for_each_vertex(n, [&](Index v) { sort_row(v); });
+    if (!hidden_.empty()) drop_hidden();
     graph_.certain.assign(graph_.target.size(), 0);
-    for_each_vertex([&](Index v) { mark_edges_from_smaller_end(v); });
-    copy_marks();
+    for_each_vertex(n, [&](Index v) { mark_edges_from_smaller_end(v); });
+    for_each_vertex(n, [&](Index v) { copy_marks_to_larger_end(v); });
     return std::move(graph_);
   }
-
-  void drop_deleted() {
-    keep_edges([&](Index v, Index w) {
-      const auto targets = stars_[v].targets();
-      return std::binary_search(targets.begin(), targets.end(), w);
-    });
-  }
-
-  // Whether the deadline allowed all of it. What is marked before is right.
-  bool mark_more() {
-    bool is_late = false;
-    try {
-      for_each_vertex([&](Index v) { mark_edges_from_smaller_end(v); });
-    } catch (const SearchStopped&) {
-      is_late = true;
-    }
-    copy_marks();
-    return !is_late;
-  }
-
-  CandidateGraph take_graph() { return std::move(graph_); }
 
  private:
   using Place = std::uint32_t;  // in a star
   static constexpr Place kNoPlace = std::numeric_limits<Place>::max();
 
   template <class Body>
-  void for_each_vertex(const Body& body) const {
-    const auto n = static_cast<Index>(graph_.points.size());
+  static void for_each_vertex(Index n, const Body& body) {
     tbb::parallel_for(tbb::blocked_range<Index>(0, n, kGrain), [&](const tbb::blocked_range<Index>& range) {
       for (Index v = range.begin(); v < range.end(); ++v) body(v);
     });
@@ -112,23 +83,22 @@ class Marking {
     }
   }
 
-  // Moves the rows together, with their marks if they have any.
-  template <class IsKept>
-  void keep_edges(const IsKept& is_kept) {
+  // Rebuilds the rows without the hidden edges.
+  void drop_hidden() {
+    std::sort(hidden_.begin(), hidden_.end());
+    const auto is_hidden = [&](Index v, Index w) {
+      return std::binary_search(hidden_.begin(), hidden_.end(), make_edge(v, w));
+    };
     std::uint32_t kept = 0;
     for (std::size_t v = 0; v < graph_.points.size(); ++v) {
       const std::uint32_t first = graph_.first[v], last = graph_.first[v + 1];
       graph_.first[v] = kept;
       for (std::uint32_t i = first; i < last; ++i) {
-        if (!is_kept(static_cast<Index>(v), graph_.target[i])) continue;
-        graph_.target[kept] = graph_.target[i];
-        if (!graph_.certain.empty()) graph_.certain[kept] = graph_.certain[i];
-        ++kept;
+        if (!is_hidden(static_cast<Index>(v), graph_.target[i])) graph_.target[kept++] = graph_.target[i];
       }
     }
     graph_.first.back() = kept;
     graph_.target.resize(kept);
-    graph_.certain.resize(std::min<std::size_t>(graph_.certain.size(), kept));
   }
 
   bool has_edge(Index v, Index w) const {
@@ -140,8 +110,6 @@ class Marking {
     const Star& sorted = stars_[v];
     return std::binary_search(sorted.target(), sorted.target() + sorted.count, w);
   }
-
-  bool is_marked(Index s, Place t) const { return graph_.certain[graph_.first[s] + t] != 0; }
 
   void check_deadline() const {
     if (context_.deadline_passed())
@@ -164,7 +132,7 @@ class Marking {
     std::vector<Place>& marked = scratch_.local();
     marked.clear();
     for (Place t = 0; t < star.size(); ++t) {
-      if (s < star[t] && !is_marked(s, t)) marked.push_back(t);
+      if (s < star[t]) marked.push_back(t);
     }
     for (Place y = 0; y < star.size() && !marked.empty(); ++y) unmark_edges_crossed_from(s, y, marked);
     for (const Place t : marked) graph_.certain[graph_.first[s] + t] = 1;
@@ -183,7 +151,7 @@ class Marking {
     std::vector<Place>& places = places_.local();
     places.assign(star.size(), kNoPlace);
     for (Place t = 0; t < star.size(); ++t) {
-      if (star[t] < s || is_marked(s, t)) continue;
+      if (star[t] < s) continue;
       check_deadline();
       const bool is_crossed = std::any_of(order.begin(), order.end(), [&](Place y) {
         if (y == t) return false;
@@ -231,10 +199,6 @@ class Marking {
     erase(0, w);
   }
 
-  void copy_marks() {
-    for_each_vertex([&](Index v) { copy_marks_to_larger_end(v); });
-  }
-
   void copy_marks_to_larger_end(Index t) {
     for (std::uint32_t i = graph_.first[t]; i < graph_.first[t + std::size_t{1}]; ++i) {
       const Index s = graph_.target[i];
@@ -256,14 +220,6 @@ class Marking {
 
 CandidateGraph mark_certain_edges(Points points, const StarTable& stars, const Context& context) {
   return Marking(points, stars, context).run();
-}
-
-void mark_more_edges(CandidateGraph& graph, const StarTable& stars, const Context& context) {
-  Marking marking(std::move(graph), stars, context);
-  marking.drop_deleted();
-  const bool is_done = marking.mark_more();
-  graph = marking.take_graph();
-  if (!is_done) throw SearchStopped(StopReason::deadline, "the deadline passed while marking certain edges");
 }
 
 }  // namespace mwt

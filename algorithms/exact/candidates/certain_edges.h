@@ -20,9 +20,4 @@ namespace mwt {
 /// context's deadline.
 [[nodiscard]] CandidateGraph mark_certain_edges(Points points, const StarTable& stars, const Context& context);
 
-/// Brings the graph of these stars up to date after edges were deleted from them: the same as mark_certain_edges(), in
-/// the graph's memory, and only for edges that are not certain yet. When it throws SearchStopped, the graph is valid,
-/// and lacks marks only.
-void mark_more_edges(CandidateGraph& graph, const StarTable& stars, const Context& context);
-
 }  // namespace mwt

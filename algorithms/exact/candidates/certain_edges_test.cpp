@@ -259,31 +259,6 @@ TEST(CertainEdges, DropTheFartherOfTwoNeighboursInOneDirection) {
   EXPECT_EQ(edges_of_graph(graph, true), expected);
 }
 
-// The same graph and marks as from the beginning.
-TEST(CertainEdges, AreBroughtUpToDate) {
-  for (const char* family : {"uniform", "annulus", "cad_plate", "wheels", "lattice"}) {
-    SCOPED_TRACE(family);
-    const KdOrder order = make_kd_order(generate(family, 700, 1));
-    LmtSkeleton skeleton = stage_testing::lmt_skeleton(order);
-    CandidateGraph graph = mark_certain_edges(order.points, skeleton.stars, Context{});
-    const CandidateGraph before = graph;
-    std::vector<CandidatePair> deleted;
-    for (Index v = 0; v < order.points.size(); v += 2) {
-      for (std::uint32_t i = before.first[v]; i < before.first[v + std::size_t{1}]; ++i) {
-        if (before.certain[i] == 0 && i % 3 == 0)
-          deleted.push_back({std::min(v, before.target[i]), std::max(v, before.target[i])});
-      }
-    }
-    delete_edges(skeleton.stars, order.points, stage_testing::hull_of(order.points), deleted, Context{});
-    mark_more_edges(graph, skeleton.stars, Context{});
-    const CandidateGraph fresh = mark_certain_edges(order.points, skeleton.stars, Context{});
-    EXPECT_EQ(graph.first, fresh.first);
-    EXPECT_EQ(graph.target, fresh.target);
-    EXPECT_EQ(graph.certain, fresh.certain);
-    EXPECT_LT(graph.target.size(), before.target.size());
-  }
-}
-
 TEST(CertainEdges, DoNotDependOnThreads) {
   const KdOrder order = make_kd_order(generate("clustered", 20'000, 3));
   const CandidateGraph one = candidate_graph(order);
