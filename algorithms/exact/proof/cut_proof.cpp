@@ -24,6 +24,9 @@ namespace {
 // Of the optimum, in units.
 constexpr int kOptimumBits = 56;
 
+// A proof file takes dual values below this (verifier/FORMAT.md).
+constexpr std::int64_t kMaxDual = std::int64_t{1} << 60;
+
 constexpr std::size_t kMaxLooseTriangles = std::size_t{1} << 24;
 constexpr int kMaxSweeps = 200;
 constexpr int kMaxRounds = 8;
@@ -97,8 +100,11 @@ class CutProof {
       for (std::size_t cut = 0; cut < unpaid_.size(); ++cut) charge(cut);
     }
     balance();  // charges made cuts cheaper as sides
-    const Cost bound = whole_ + paid_ + worst() * static_cast<Cost>(face.triangle_count());
-    set_duals();
+    const Cost least = worst();
+    const auto triangles = static_cast<Cost>(face.triangle_count());
+    if (least < -(whole_ + paid_) / triangles) return false;  // proves nothing; and no product overflows
+    const Cost bound = whole_ + paid_ + least * triangles;
+    if (!set_duals()) return false;
     region_.lower_bound = next_down(std::ldexp(static_cast<double>(bound), region_.unit_exponent));
     return region_.lower_bound > 0;
   }
@@ -118,7 +124,8 @@ class CutProof {
   void choose_unit() {
     double longest = 0;
     for (const auto& [a, b] : open_) longest = std::max(longest, length(local_.points[a], local_.points[b]).high);
-    const double whole = polygon_->program.value(polygon_->program.closing_cell()).high;
+    double whole = polygon_->program.value(polygon_->program.closing_cell()).high;
+    for (const auto& [a, b] : polygon_->cuts) whole += length(local_.points[a], local_.points[b]).high;
     region_.unit_exponent = std::ilogb(std::max(whole, longest)) + 1 - kOptimumBits;
   }
 
@@ -254,8 +261,9 @@ class CutProof {
     return least;
   }
 
-  // The charges become rays from the left of the cuts, whose left sides then cost as much more.
-  void set_duals() {
+  // The charges become rays from the left of the cuts, whose left sides then cost as much more. Whether all dual values
+  // can be written.
+  bool set_duals() {
     std::vector<Cost> ray_duals(origin_.size(), 0);
     for (const auto& [cut, end, share] : charges_) {
       const Halfedge h = cut_halfedge_[cut];
@@ -266,10 +274,14 @@ class CutProof {
       for (Halfedge side = 0; side < origin_.size(); ++side)
         ray_duals[side] += share * ray.crossing(origin(side), polygon_->graph.target[side]);
     }
+    bool is_in_range = true;
     add_leaf(region_, [&](Index from, Index to) {
       const Halfedge h = find(from, to);
-      return half_[h] - cost_[h] + ray_duals[h];
+      const Cost dual = half_[h] - cost_[h] + ray_duals[h];
+      is_in_range = is_in_range && std::abs(dual) < kMaxDual;
+      return dual;
     });
+    return is_in_range;
   }
 
   struct Charge {

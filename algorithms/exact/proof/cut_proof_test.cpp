@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/common/testing/counted_time.h"
 #include "algorithms/exact/proof/hole_cuts.h"
 #include "algorithms/exact/proof/region_outline.h"
 #include "algorithms/exact/proof/slit_proof.h"
@@ -41,6 +42,19 @@ TEST(CutProof, StatesWhatItsDualValuesProve) {
     }
   }
   EXPECT_GT(proved, 20);
+}
+
+// Triangles that cross cuts cost far less than nothing before edges have been balanced.
+TEST(CutProof, StatesNoMoreWhereverTheDeadlineStopsIt) {
+  for (const Instance& instance : region_instances::some(12, 4)) {
+    for (std::int64_t readings = 0; readings < 40; ++readings) {
+      const test::CountedTime time;
+      const Deadline deadline = test::CountedTime::after(readings);
+      proves_optimum(instance, [&](DualRegion& region) {
+        return add_cut_duals(region, instance.local, instance.components, instance.optimum, deadline);
+      });
+    }
+  }
 }
 
 TEST(StripProof, ProvesEveryOptimumAroundOneHole) {
