@@ -1,28 +1,25 @@
 #include "algorithms/exact/proof/cut_proof.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <vector>
 
 #include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/holes/cut_polygon.h"
 #include "algorithms/exact/holes/loose_triangles.h"
+#include "algorithms/exact/proof/outlined_region.h"
 #include "algorithms/proof/dual_leaf.h"
-#include "algorithms/proof/half_length.h"
 #include "algorithms/proof/polygon_duals.h"
-#include "geometry/numbers/interval.h"
 #include "geometry/predicates.h"
-#include "geometry/undirected_edges.h"
-#include "geometry/weight.h"
 
 namespace mwt {
 
 namespace {
-
-// Of the optimum, in units.
-constexpr int kOptimumBits = 56;
 
 // A proof file takes dual values below this (verifier/FORMAT.md).
 constexpr std::int64_t kMaxDual = std::int64_t{1} << 60;
@@ -78,19 +75,18 @@ class RayBesideCut {
 class CutProof {
  public:
   CutProof(DualRegion& region, const LocalRegion& local, std::size_t components, const Deadline& deadline)
-      : region_(region), local_(local), components_(components), deadline_(deadline) {
-    for (const auto& [from, to] : region.open_edges) open_.push_back({region.places[from], region.places[to]});
-  }
+      : region_(region), local_(local), outlined_(region, local), components_(components), deadline_(deadline) {}
 
   bool run(std::span<const Edge> known) {
-    const FaceRegion face = as_face();
+    const FaceRegion face = outlined_.as_face(components_);
     FaceRegion cuttable = face;
     if (!known.empty()) cuttable.candidates.assign(known.begin(), known.end());
     std::vector<Edge> cuts = shortest_cuts(local_.points, cuttable);
     if (cuts.size() + 1 != face.components) return false;
     polygon_ = cut_open(local_.points, face, std::move(cuts), deadline_);
     if (!polygon_ || !polygon_->program.is_feasible(polygon_->program.closing_cell())) return false;
-    choose_unit();
+    const double whole = polygon_->program.value(polygon_->program.closing_cell()).high;
+    outlined_.choose_unit(whole + total_length(local_.points, polygon_->cuts));
     if (!set_costs()) return false;
     loose_.emplace(*polygon_);
     if (!loose_->find(kMaxLooseTriangles, deadline_)) return false;
@@ -105,34 +101,11 @@ class CutProof {
     if (least < -(whole_ + paid_) / triangles) return false;  // proves nothing; and no product overflows
     const Cost bound = whole_ + paid_ + least * triangles;
     if (!set_duals()) return false;
-    region_.lower_bound = next_down(std::ldexp(static_cast<double>(bound), region_.unit_exponent));
+    outlined_.prove(bound);
     return region_.lower_bound > 0;
   }
 
  private:
-  // By local numbers, as everything here.
-  [[nodiscard]] FaceRegion as_face() const {
-    FaceRegion face;
-    face.vertices.resize(local_.points.size());
-    std::iota(face.vertices.begin(), face.vertices.end(), Index{0});
-    face.boundary = local_.boundary;
-    face.candidates = undirected_edges(open_);
-    face.components = components_;
-    return face;
-  }
-
-  void choose_unit() {
-    double longest = 0;
-    for (const auto& [a, b] : open_) longest = std::max(longest, length(local_.points[a], local_.points[b]).high);
-    double whole = polygon_->program.value(polygon_->program.closing_cell()).high;
-    for (const auto& [a, b] : polygon_->cuts) whole += length(local_.points[a], local_.points[b]).high;
-    region_.unit_exponent = std::ilogb(std::max(whole, longest)) + 1 - kOptimumBits;
-  }
-
-  [[nodiscard]] Cost half(Halfedge h) const {
-    const Index a = origin(h), b = polygon_->graph.target[h];
-    return std::max<Cost>(0, half_length(length(local_.points[a], local_.points[b]), region_.unit_exponent));
-  }
   [[nodiscard]] Index origin(Halfedge h) const { return origin_[h]; }
 
   [[nodiscard]] Halfedge find(Index from, Index to) const {
@@ -160,7 +133,8 @@ class CutProof {
     const std::optional<std::vector<Cost>> chord_duals = solve_polygon();
     if (!chord_duals) return false;
     for (Halfedge h = 0; h < origin_.size(); ++h) {
-      half_.push_back(polygon_->kind[h] == SideKind::boundary ? 0 : half(h));
+      half_.push_back(polygon_->kind[h] == SideKind::boundary ? 0
+                                                              : outlined_.half(origin(h), polygon_->graph.target[h]));
       const bool is_chord = polygon_->kind[h] == SideKind::chord;
       const Cost dual = is_chord ? (*chord_duals)[polygon_->cell[h]] : 0;
       cost_.push_back(half_[h] + (is_chord && !polygon_->is_lower[h] ? -dual : dual));
@@ -291,9 +265,9 @@ class CutProof {
 
   DualRegion& region_;
   const LocalRegion& local_;
+  OutlinedRegion outlined_;  // by local numbers, as everything here
   std::size_t components_;
   const Deadline& deadline_;
-  std::vector<Edge> open_;  // of the region, from first to second place
   std::optional<CutPolygon> polygon_;
   std::optional<LooseTriangles> loose_;
   std::vector<Halfedge> by_target_;     // those of each vertex, ascending by target

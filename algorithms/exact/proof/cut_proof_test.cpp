@@ -4,7 +4,7 @@
 
 #include "algorithms/common/testing/counted_time.h"
 #include "algorithms/exact/proof/hole_cuts.h"
-#include "algorithms/exact/proof/region_outline.h"
+#include "algorithms/exact/proof/outlined_region.h"
 #include "algorithms/exact/proof/slit_proof.h"
 #include "algorithms/exact/proof/strip_proof.h"
 #include "algorithms/exact/testing/region_instances.h"

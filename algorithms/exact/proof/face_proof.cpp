@@ -13,7 +13,7 @@
 #include "algorithms/exact/holes/local_region.h"
 #include "algorithms/exact/holes/region_triangles.h"
 #include "algorithms/exact/proof/cut_proof.h"
-#include "algorithms/exact/proof/region_outline.h"
+#include "algorithms/exact/proof/outlined_region.h"
 #include "algorithms/exact/proof/slit_proof.h"
 #include "algorithms/exact/proof/strip_proof.h"
 #include "algorithms/proof/cover_duals.h"

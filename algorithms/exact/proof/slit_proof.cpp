@@ -1,7 +1,6 @@
 #include "algorithms/exact/proof/slit_proof.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -10,22 +9,15 @@
 
 #include "algorithms/exact/division/disjoint_sets.h"
 #include "algorithms/exact/proof/hole_cuts.h"
-#include "algorithms/exact/proof/region_outline.h"
+#include "algorithms/exact/proof/outlined_region.h"
 #include "algorithms/exact/proof/strip_proof.h"
 #include "algorithms/proof/dual_leaf.h"
-#include "algorithms/proof/half_length.h"
 #include "algorithms/proof/polygon_duals.h"
-#include "geometry/numbers/interval.h"
 #include "geometry/predicates.h"
-#include "geometry/undirected_edges.h"
-#include "geometry/weight.h"
 
 namespace mwt {
 
 namespace {
-
-// Of the optimum, in units, as in a strip's proof.
-constexpr int kLengthBits = 56;
 
 // Checking a proof with more dual values would take too long.
 constexpr std::size_t kMaxSlitDuals = 20'000'000;
@@ -33,23 +25,20 @@ constexpr std::size_t kMaxSlitDuals = 20'000'000;
 class SlitProof {
  public:
   SlitProof(DualRegion& region, const LocalRegion& local, const Deadline& deadline)
-      : region_(region), local_(local), deadline_(deadline) {
-    for (const auto& [from, to] : region.open_edges) open_.push_back({region.places[from], region.places[to]});
-  }
+      : region_(region), local_(local), outlined_(region, local), open_(outlined_.open_edges()), deadline_(deadline) {}
 
   bool run(std::span<const Edge> known) {
     const std::optional<HoleCuts> cuts = fewest_cuts();
     if (!cuts || cuts->edges().size() * open_.size() > kMaxSlitDuals) return false;
-    choose_unit(known);
-    std::int64_t target = 0;  // rounding may make triangulations that are not lighter lighter
-    for (const auto& [a, b] : known) target += 2 * (half(a, b) - 1);
+    outlined_.choose_unit(total_length(local_.points, known));
+    const std::int64_t target = outlined_.target_of(known);
     remaining_ = open_;
     for (const std::uint32_t cut : cuts->edges()) {
       if (!add_leaf_with(cut, target)) return give_up();
       std::erase(remaining_, open_[cut]);
     }
     add_leaf(region_, [&](Index from, Index to) { return PolygonDuals::kNever * cuts->crossing_of_ray(from, to); });
-    region_.lower_bound = std::max(0.0, next_down(std::ldexp(static_cast<double>(target), region_.unit_exponent)));
+    outlined_.prove(target);
     return true;
   }
 
@@ -74,17 +63,6 @@ class SlitProof {
     return fewest;
   }
 
-  void choose_unit(std::span<const Edge> known) {
-    double longest = 0, sum = 0;
-    for (const auto& [a, b] : open_) longest = std::max(longest, length(local_.points[a], local_.points[b]).high);
-    for (const auto& [a, b] : known) sum += length(local_.points[a], local_.points[b]).high;
-    region_.unit_exponent = std::ilogb(std::max(sum, longest)) + 1 - kLengthBits;
-  }
-
-  [[nodiscard]] std::int64_t half(Index a, Index b) const {
-    return std::max<std::int64_t>(0, half_length(length(local_.points[a], local_.points[b]), region_.unit_exponent));
-  }
-
   // The region in which the cut is one of the boundary, in both directions.
   [[nodiscard]] LocalRegion with_slit(const Edge& cut) const {
     LocalRegion slit{local_.vertices, local_.points, local_.boundary, {}};
@@ -103,7 +81,7 @@ class SlitProof {
     const LocalRegion slit = with_slit(open_[cut]);
     DualRegion part = outline_of(slit);
     part.unit_exponent = region_.unit_exponent;
-    const std::int64_t own = half(open_[cut].a, open_[cut].b);
+    const std::int64_t own = outlined_.half(open_[cut].a, open_[cut].b);
     if (!add_strip_leaf(part, slit, target - 2 * own, deadline_)) return false;
     std::vector<std::pair<Edge, std::int64_t>> duals = values_by_side(part);
     for (auto& [side, dual] : duals) {
@@ -139,9 +117,10 @@ class SlitProof {
 
   DualRegion& region_;
   const LocalRegion& local_;
+  OutlinedRegion outlined_;
+  const std::vector<Edge>& open_;
   const Deadline& deadline_;
-  std::vector<Edge> open_;       // of the region, from first to second place
-  std::vector<Edge> remaining_;  // those not decided to be out
+  std::vector<Edge> remaining_;  // open edges not decided to be out
 };
 
 }  // namespace

@@ -3,28 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
-#include "algorithms/exact/division/disjoint_sets.h"
-#include "algorithms/exact/faces/face_region.h"
 #include "algorithms/exact/holes/strip.h"
 #include "algorithms/exact/proof/hole_cuts.h"
+#include "algorithms/exact/proof/outlined_region.h"
 #include "algorithms/proof/dual_leaf.h"
-#include "algorithms/proof/half_length.h"
 #include "algorithms/proof/polygon_duals.h"
-#include "geometry/numbers/interval.h"
-#include "geometry/predicates.h"
-#include "geometry/undirected_edges.h"
-#include "geometry/weight.h"
 
 namespace mwt {
 
 namespace {
-
-// Of the optimum, in units.
-constexpr int kWholeBits = 56;
 
 // Checking a proof with more dual values would take too long.
 constexpr std::size_t kMaxDuals = 20'000'000;
@@ -35,15 +25,13 @@ constexpr std::int64_t kNeverFits = PolygonDuals::kNever;
 class StripProof {
  public:
   StripProof(DualRegion& region, const LocalRegion& local, const Deadline& deadline)
-      : region_(region), local_(local), deadline_(deadline) {
-    for (const auto& [from, to] : region.open_edges) open_.push_back({region.places[from], region.places[to]});
-  }
+      : region_(region), local_(local), outlined_(region, local), open_(outlined_.open_edges()), deadline_(deadline) {}
 
   bool run(std::span<const Edge> known) {
     if (!make()) return false;
     choose_unit(known);
     if (!lay_out()) return false;
-    if (!known.empty() && add_potentials_leaf(target_of(known))) return true;
+    if (!known.empty() && add_potentials_leaf(outlined_.target_of(known))) return true;
     return add_tree();
   }
 
@@ -87,7 +75,7 @@ class StripProof {
   };
 
   bool make() {
-    auto strip = make_strip(local_.points, as_face());
+    auto strip = make_strip(local_.points, outlined_.as_face(2));
     if (!strip) return false;
     strip_ = *std::move(strip);
     cuts_.emplace(local_.points, strip_.inner.vertex, open_);
@@ -113,12 +101,8 @@ class StripProof {
       is_out_[cut] = true;
     }
     add_impossible_leaf();
-    prove(least);
+    outlined_.prove(least);
     return true;
-  }
-
-  void prove(std::int64_t units) {
-    region_.lower_bound = std::max(0.0, next_down(std::ldexp(static_cast<double>(units), region_.unit_exponent)));
   }
 
   bool give_up() {
@@ -126,37 +110,15 @@ class StripProof {
     return false;
   }
 
-  // By local numbers, as everything here.
-  [[nodiscard]] FaceRegion as_face() const {
-    FaceRegion face;
-    face.vertices.resize(local_.points.size());
-    std::iota(face.vertices.begin(), face.vertices.end(), Index{0});
-    face.boundary = local_.boundary;
-    face.candidates = undirected_edges(open_);
-    face.components = 2;
-    return face;
-  }
-
   // If nothing is known, so that no optimum has more than 57 bits.
   void choose_unit(std::span<const Edge> known) {
-    double longest = 0, sum = 0;
-    for (const auto& [a, b] : open_) longest = std::max(longest, length(local_.points[a], local_.points[b]).high);
-    for (const auto& [a, b] : known) sum += length(local_.points[a], local_.points[b]).high;
+    if (!known.empty()) return outlined_.choose_unit(total_length(local_.points, known));
     const int diagonal_bits = std::ilogb(static_cast<double>(3 * local_.points.size())) + 1;
-    region_.unit_exponent = known.empty() ? std::ilogb(longest) + 1 - std::min(50, kWholeBits - diagonal_bits)
-                                          : std::ilogb(std::max(sum, longest)) + 1 - kWholeBits;
+    const int bits = std::min(50, OutlinedRegion::kBits - diagonal_bits);
+    region_.unit_exponent = std::ilogb(outlined_.longest_edge()) + 1 - bits;
   }
 
-  // Others that are not longer may be shorter by rounding, up to two units an edge.
-  [[nodiscard]] std::int64_t target_of(std::span<const Edge> known) const {
-    std::int64_t units = 0;
-    for (const auto& [a, b] : known) units += 2 * (half(a, b) - 1);
-    return units;
-  }
-
-  [[nodiscard]] std::int64_t half(Index a, Index b) const {
-    return std::max<std::int64_t>(0, half_length(length(local_.points[a], local_.points[b]), region_.unit_exponent));
-  }
+  [[nodiscard]] std::int64_t half(Index a, Index b) const { return outlined_.half(a, b); }
 
   // The boundary repeated twice as a polygon: all chords lie in it. `is_reversed`: its order is that of falling places.
   bool add_chain(const Strip::Chain& chain, bool is_reversed, Chords& chords) {
@@ -273,7 +235,7 @@ class StripProof {
     add_leaf(region_, [&](Index from, Index to) {
       return chord_dual(from, to) + find(from, to) - find(to, from) + target * cuts_->crossing_of_ray(from, to);
     });
-    prove(target);
+    outlined_.prove(target);
     return true;
   }
 
@@ -441,8 +403,9 @@ class StripProof {
 
   DualRegion& region_;
   const LocalRegion& local_;
+  OutlinedRegion outlined_;  // by local numbers, as everything here
+  const std::vector<Edge>& open_;
   const Deadline& deadline_;
-  std::vector<Edge> open_;  // of the region, from first to second place
   Strip strip_;
   std::optional<HoleCuts> cuts_;
   std::vector<bool> is_out_;
